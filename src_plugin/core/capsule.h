@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A rod as geometry: all points nearer than `radius` to a straight segment (a sphero-cylinder or
+// capsule). A segment of zero length is a sphere. Space frame, any consistent unit of length.
+#pragma once
+
+#include "vec3.h"
+
+namespace spherocylinder {
+
+struct Segment {
+  Vec3 centre;
+  Vec3 axis;           // unit vector; its sign carries no meaning
+  double half_length;  // half the cylinder part h, >= 0
+
+  // The point at signed distance s from the centre along the axis.
+  Vec3 at(double s) const { return centre + s * axis; }
+};
+
+struct Capsule {
+  Segment segment;
+  double radius;  // > 0
+
+  double length() const { return 2.0 * (segment.half_length + radius); }  // L = h + 2 r
+  double aspect_ratio() const { return length() / (2.0 * radius); }       // lambda = L / D
+};
+
+}  // namespace spherocylinder

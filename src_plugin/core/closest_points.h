@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Closest points of two segments: the narrow phase of every rod-rod contact.
+#pragma once
+
+#include "capsule.h"
+
+namespace spherocylinder {
+
+struct ClosestPoints {
+  double s;                 // position of p on segment i, signed distance from its centre
+  double t;                 // position of q on segment j, signed distance from its centre
+  Vec3 delta;               // p - q, from rod j to rod i
+  double distance_squared;  // |p - q|^2
+};
+
+// Closest points p on i and q on j.
+//
+// The squared distance is a convex quadratic in (s, t) over a rectangle. Its minimum is the
+// critical point of the two infinite lines if that lies inside the rectangle, else it lies on the
+// rectangle's rim: one of the four ends against the other segment. Nothing is compared with an
+// absolute or angular tolerance: parallel lines have a zero (or, by round-off, useless)
+// determinant, and the rim then holds an equally near pair.
+// Of equally near pairs (parallel rods side by side) one at an end is returned.
+ClosestPoints closest_points(const Segment &i, const Segment &j);
+
+// Position on the segment nearest to a point, signed distance from the segment's centre.
+inline double closest_position(const Segment &segment, const Vec3 &point)
+{
+  const double along = dot(point - segment.centre, segment.axis);
+  return along > segment.half_length    ? segment.half_length
+         : along < -segment.half_length ? -segment.half_length
+                                        : along;
+}
+
+}  // namespace spherocylinder
