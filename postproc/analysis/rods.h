@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rods of a dump frame as geometry. Space frame, metres.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analysis/dump_frame.h"
+#include "core/capsule.h"
+
+namespace spherocylinder {
+
+struct Rod {
+  std::int64_t id;
+  int type;  // 1 if the dump has no column `type`
+  Capsule capsule;
+
+  bool is_sphere() const { return capsule.segment.half_length == 0.0; }  // then it has no axis
+};
+
+// Dumps print about six digits, so that a unit quaternion comes back with a norm up to 1e-5 away
+// from 1; what is further away than this was never a unit quaternion.
+constexpr double quaternion_norm_tolerance = 1e-3;
+
+// Relative; six printed digits of two lengths that were equal.
+constexpr double length_rounding = 2e-5;
+
+// Rods in the order of the frame's rows. Reads id, x y z (or xu yu zu, or xs ys zs scaled by the
+// box), shapex (radius), shapez (half the total length) and quat1..4 (w, x, y, z; the axis is
+// body z turned by it, renormalised). shapez within rounding of shapex is a sphere. Throws
+// InputError with the line for a missing column or a row that is no rod.
+std::vector<Rod> rods_of(const DumpFrame &frame);
+
+// Angle of the axis above the horizontal, 0 to pi/2 (rad).
+double elevation(const Vec3 &axis);
+
+double volume(const Capsule &capsule);  // m^3
+
+}  // namespace spherocylinder

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Words and numbers of a line of text.
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace spherocylinder {
+
+constexpr std::string_view blanks = " \t\r";
+
+inline std::string_view trimmed_end(std::string_view text)
+{
+  const auto last = text.find_last_not_of(blanks);
+  return last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
+}
+
+// Takes the first word off `text`; empty when there is none left.
+inline std::string_view take_word(std::string_view &text)
+{
+  const auto begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return text = {};
+  const auto end = text.find_first_of(blanks, begin);
+  const std::string_view word = text.substr(begin, end - begin);
+  text = end == std::string_view::npos ? std::string_view{} : text.substr(end);
+  return word;
+}
+
+// The whole word as a number, or nothing. Reads "nan" and "inf" too: ask std::isfinite.
+template <class Number>
+std::optional<Number> to_number(std::string_view word)
+{
+  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+  Number number{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return number;
+}
+
+// Text from a file as it can be shown in a message: printable, not too long.
+inline std::string shown(std::string_view text)
+{
+  constexpr std::size_t longest = 40;
+  std::string out = "'";
+  for (const char c : text.substr(0, longest)) out += c >= ' ' && c <= '~' ? c : '?';
+  return out + (text.size() > longest ? "...'" : "'");
+}
+
+}  // namespace spherocylinder
