@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How the plug-in enters a stock LIGGGHTS. libliggghts calls its own exported functions through
+// its procedure linkage table, so that a library found earlier in symbol look-up (this one, linked
+// before it or named in LD_PRELOAD) stands in front of them. Two functions are enough:
+//   LAMMPS::post_create  runs after construction and after the `clear` command
+//   Atom::new_avec       is asked for every atom style
+// Both call the original and add to it.
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "atom.h"
+#include "error.h"
+#include "lammps.h"
+#include "style_table.h"
+#include "universe.h"
+
+#define EXPORT __attribute__((visibility("default")))
+
+namespace {
+
+template <typename Function>
+Function next_symbol(const char *mangled_name)
+{
+  void *symbol = dlsym(RTLD_NEXT, mangled_name);
+  if (!symbol) {
+    fprintf(stderr,
+            "ERROR: libspherocylinder: this program has no %s; it is not LIGGGHTS "
+            SPHEROCYLINDER_HOST_VERSION ", which is wanted\n",
+            mangled_name);
+    exit(1);
+  }
+  return reinterpret_cast<Function>(symbol);
+}
+
+void check_host(LAMMPS_NS::LAMMPS *lmp)
+{
+  const char *version = lmp->universe->version;
+  if (version && strstr(version, SPHEROCYLINDER_HOST_VERSION)) return;
+  char text[300];
+  snprintf(text, sizeof(text),
+           "libspherocylinder: host program must be LIGGGHTS " SPHEROCYLINDER_HOST_VERSION
+           " (got %s)",
+           version ? version : "no version");
+  lmp->error->all(FLERR, text);
+}
+
+void print_banner_once(LAMMPS_NS::LAMMPS *lmp)
+{
+  static bool printed = false;
+  if (printed || lmp->universe->me != 0) return;
+  printed = true;
+  if (lmp->universe->uscreen) fputs(spherocylinder::banner(), lmp->universe->uscreen);
+  if (lmp->universe->ulogfile) fputs(spherocylinder::banner(), lmp->universe->ulogfile);
+}
+
+}  // namespace
+
+namespace LAMMPS_NS {
+
+EXPORT void LAMMPS::post_create()
+{
+  using PostCreate = void (*)(LAMMPS *);
+  static const auto original = next_symbol<PostCreate>("_ZN9LAMMPS_NS6LAMMPS11post_createEv");
+  original(this);
+  check_host(this);
+  spherocylinder::add_styles(this);
+  print_banner_once(this);
+}
+
+// The first call, for style `atomic`, comes while the LAMMPS object is still being built: only the
+// name may be looked at.
+EXPORT AtomVec *Atom::new_avec(const char *style, char *suffix, int &sflag)
+{
+  using NewAvec = AtomVec *(*) (Atom *, const char *, char *, int &);
+  static const auto original = next_symbol<NewAvec>("_ZN9LAMMPS_NS4Atom8new_avecEPKcPcRi");
+  if (AtomVec *ours = spherocylinder::create_atom_style(style, lmp)) {
+    sflag = 0;
+    return ours;
+  }
+  return original(this, style, suffix, sflag);
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "style_table.h"
+
+#include <cstring>
+#include <map>
+#include <string>
+
+#include "lammps.h"
+#include "modify.h"
+#include "loader/member_access.h"
+#include "styles/atom_vec_spherocylinder.h"
+#include "styles/compute_contact_spherocylinder.h"
+#include "styles/compute_erotate_spherocylinder.h"
+#include "styles/contact_styles.h"
+#include "styles/fix_limit_omega.h"
+#include "styles/fix_nve_spherocylinder.h"
+#include "styles/fix_particletemplate_spherocylinder.h"
+
+using namespace LAMMPS_NS;
+
+namespace spherocylinder {
+
+using FixCreator = Fix *(*) (LAMMPS *, int, char **);
+using ComputeCreator = Compute *(*) (LAMMPS *, int, int, char **);
+
+// Not in an unnamed namespace: ExposeMember's friend is looked up beside these.
+struct FixMap {
+  using type = std::map<std::string, FixCreator> *Modify::*;
+  friend type member(FixMap);
+};
+struct ComputeMap {
+  using type = std::map<std::string, ComputeCreator> *Modify::*;
+  friend type member(ComputeMap);
+};
+
+template struct ExposeMember<FixMap, &Modify::fix_map>;
+template struct ExposeMember<ComputeMap, &Modify::compute_map>;
+
+namespace {
+
+template <typename T>
+Fix *create_fix(LAMMPS *lmp, int narg, char **arg)
+{
+  return new T(lmp, narg, arg);
+}
+
+template <typename T>
+Compute *create_compute(LAMMPS *lmp, int iarg, int narg, char **arg)
+{
+  return new T(lmp, iarg, narg, arg);
+}
+
+}  // namespace
+
+// The style headers list themselves below, in LIGGGHTS's own way.
+void add_styles(LAMMPS *lmp)
+{
+  register_contact_styles();
+
+  auto &fixes = *(lmp->modify->*member(FixMap()));
+  auto &computes = *(lmp->modify->*member(ComputeMap()));
+#define FIX_CLASS
+#define FixStyle(key, Class) fixes[#key] = &create_fix<Class>;
+#include "styles/fix_limit_omega.h"
+#include "styles/fix_nve_spherocylinder.h"
+#include "styles/fix_particletemplate_spherocylinder.h"
+#undef FixStyle
+#undef FIX_CLASS
+#define COMPUTE_CLASS
+#define ComputeStyle(key, Class) computes[#key] = &create_compute<Class>;
+#include "styles/compute_contact_spherocylinder.h"
+#include "styles/compute_erotate_spherocylinder.h"
+#undef ComputeStyle
+#undef COMPUTE_CLASS
+}
+
+AtomVec *create_atom_style(const char *name, LAMMPS *lmp)
+{
+#define ATOM_CLASS
+#define AtomStyle(key, Class) \
+  if (strcmp(name, #key) == 0) return new Class(lmp);
+#include "styles/atom_vec_spherocylinder.h"
+#undef AtomStyle
+#undef ATOM_CLASS
+  return nullptr;
+}
+
+const char *banner()
+{
+  return "Sphero-cylinders for LIGGGHTS " SPHEROCYLINDER_VERSION
+         ": atom_style spherocylinder, surface spherocylinder, model linear, "
+         "fix nve/spherocylinder limit/omega particletemplate/spherocylinder, "
+         "compute erotate/spherocylinder contact/spherocylinder\n";
+}
+
+}  // namespace spherocylinder

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact_styles.h"
+
+#include "contact_model_headers.h"
+#include "granular_pair_spherocylinder.h"
+#include "granular_wall_spherocylinder.h"
+#include "utils.h"
+
+using namespace LIGGGHTS;
+using namespace LIGGGHTS::ContactModels;
+using LAMMPS_NS::FixWallGran;
+using LAMMPS_NS::LAMMPS;
+using LAMMPS_NS::PairGran;
+
+namespace {
+
+constexpr const char *kStyle = "gran";
+
+template <typename Model>
+PairStyles::IGranularPairStyle *create_pair(LAMMPS *lmp, PairGran *parent, int64_t hash)
+{
+  return new PairStyles::GranularSpherocylinder<Model>(lmp, parent, hash);
+}
+
+template <typename Model>
+Walls::IGranularWall *create_wall(LAMMPS *lmp, FixWallGran *parent, int64_t hash)
+{
+  return new Walls::GranularSpherocylinder<Model>(lmp, parent, hash);
+}
+
+// Combinations compiled as one piece: what decks with rods use most.
+template <int NORMAL, int TANGENTIAL>
+void add_fast(std::set<int64_t> &registered)
+{
+  using Style = GranStyle<NORMAL, TANGENTIAL, COHESION_OFF, ROLLING_OFF, SURFACE_SPHEROCYLINDER>;
+  using Model = ContactModel<Style>;
+  const int64_t hash = Style::HASHCODE;
+  PairStyles::Factory::instance().addStyle(kStyle, hash, &create_pair<Model>);
+  Walls::Factory::instance().addStyle(kStyle, hash, &create_wall<Model>);
+  registered.insert(hash);
+}
+
+template <int NORMAL>
+void add_fast_tangential(std::set<int64_t> &registered)
+{
+  add_fast<NORMAL, TANGENTIAL_OFF>(registered);
+  add_fast<NORMAL, TANGENTIAL_NO_HISTORY>(registered);
+  add_fast<NORMAL, TANGENTIAL_HISTORY>(registered);
+}
+
+// These act across a gap or keep per-particle liquid: a rod's closest points do not feed them.
+bool is_capillary(int cohesion)
+{
+  return cohesion == COHESION_EASO_CAPILLARY_VISCOUS ||
+         cohesion == COHESION_WASHINO_CAPILLARY_VISCOUS;
+}
+
+[[noreturn]] void refuse(LAMMPS *lmp)
+{
+  LAMMPS_NS::rod_error_all(lmp,
+                           "Surface spherocylinder cannot be used with a capillary cohesion model "
+                           "(expected cohesion off, sjkr or sjkr2)");
+}
+
+PairStyles::IGranularPairStyle *refuse_pair(LAMMPS *lmp, PairGran *, int64_t) { refuse(lmp); }
+Walls::IGranularWall *refuse_wall(LAMMPS *lmp, FixWallGran *, int64_t) { refuse(lmp); }
+
+// Every other combination, by LIGGGHTS's run-time dispatched model.
+void add_general(const std::set<int64_t> &registered)
+{
+  using Model = ContactModel<GranStyle<>>;
+#define NORMAL_MODEL(identifier, name, id) id,
+#define TANGENTIAL_MODEL(identifier, name, id) id,
+#define COHESION_MODEL(identifier, name, id) id,
+#define ROLLING_MODEL(identifier, name, id) id,
+  const int normals[] = {
+#include "style_normal_model.h"
+  };
+  const int tangentials[] = {
+      TANGENTIAL_OFF,
+#include "style_tangential_model.h"
+  };
+  const int cohesions[] = {
+      COHESION_OFF,
+#include "style_cohesion_model.h"
+  };
+  const int rollings[] = {
+      ROLLING_OFF,
+#include "style_rolling_model.h"
+  };
+#undef NORMAL_MODEL
+#undef TANGENTIAL_MODEL
+#undef COHESION_MODEL
+#undef ROLLING_MODEL
+
+  for (const int normal : normals)
+    for (const int tangential : tangentials)
+      for (const int cohesion : cohesions)
+        for (const int rolling : rollings) {
+          const int64_t hash = Utils::generate_gran_hashcode(normal, tangential, cohesion, rolling,
+                                                             SURFACE_SPHEROCYLINDER);
+          if (registered.count(hash)) continue;
+          const bool refused = is_capillary(cohesion);
+          PairStyles::Factory::instance().addStyle(kStyle, hash,
+                                                   refused ? &refuse_pair : &create_pair<Model>);
+          Walls::Factory::instance().addStyle(kStyle, hash,
+                                              refused ? &refuse_wall : &create_wall<Model>);
+        }
+}
+
+}  // namespace
+
+void LAMMPS_NS::register_contact_styles()
+{
+  static bool done = false;
+  if (done) return;
+  done = true;
+
+  Factory::instance().addSurfaceModel("spherocylinder", SURFACE_SPHEROCYLINDER);
+  Factory::instance().addNormalModel("linear", NORMAL_LINEAR);
+
+  std::set<int64_t> registered;
+  add_fast_tangential<NORMAL_LINEAR>(registered);
+  add_fast_tangential<HOOKE>(registered);
+  add_fast_tangential<HOOKE_STIFFNESS>(registered);
+  add_fast_tangential<HERTZ>(registered);
+  add_general(registered);
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef FIX_CLASS
+
+FixStyle(limit/omega, FixLimitOmega)
+
+#else
+
+#ifndef LMP_FIX_LIMIT_OMEGA_H
+#define LMP_FIX_LIMIT_OMEGA_H
+
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+// Holds the rods' angular velocity at or below a limit at the end of each step, angular momentum
+// kept consistent; counts how often it acts and the energy it removes.
+class FixLimitOmega : public Fix {
+ public:
+  FixLimitOmega(LAMMPS *lmp, int narg, char **arg);
+  int setmask() override;
+  void end_of_step() override;
+  double compute_vector(int n) override;
+
+ private:
+  enum class Component { Total, Transverse, Axial };
+  Component component_ = Component::Total;
+  double limit_;                // rad/s
+  double actions_ = 0.0;        // rods limited, summed over the steps, this rank
+  double energy_removed_ = 0.0; // J, this rank
+  double acted_last_ = 0.0;     // rods limited in the last step, this rank
+
+  void limit_rod(int i);
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the stock pair_style gran runs for rods: LIGGGHTS's contact models at the closest points of
+// two rods' axes. One class per combination of contact models, chosen when the deck is read.
+#pragma once
+
+#include <cstring>
+#include <vector>
+
+#include "atom.h"
+#include "comm.h"
+#include "core/closest_points.h"
+#include "core/contact_kinematics.h"
+#include "fix_contact_property_atom.h"
+#include "force.h"
+#include "granular_pair_style.h"
+#include "neigh_list.h"
+#include "rod_contact.h"
+#include "settings.h"
+
+namespace LIGGGHTS {
+namespace PairStyles {
+
+using namespace LAMMPS_NS;
+using ContactModels::ForceData;
+using ContactModels::SurfacesIntersectData;
+
+template <typename ContactModel>
+class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
+ public:
+  GranularSpherocylinder(LAMMPS *lmp, PairGran *parent, const int64_t hash)
+      : Pointers(lmp), model_(lmp, parent, false, hash), time_step_(lmp)
+  {
+  }
+
+  int64_t hashcode() override { return model_.hashcode(); }
+
+  void settings(int nargs, char **args, IContactHistorySetup *hsetup) override
+  {
+    Settings settings(lmp);
+    model_.registerSettings(settings);
+    const bool understood = settings.parseArguments(nargs, args);
+    model_.postSettings(hsetup);
+    if (!understood) error->all(FLERR, settings.error_message.c_str());
+  }
+
+  void init_granular() override
+  {
+    rods_of(lmp, "Pair gran with surface spherocylinder");
+    if (force->newton_pair)
+      rod_error_all(lmp, "Pair gran with surface spherocylinder requires newton off (got newton on)");
+    model_.connectToProperties(force->registry);
+    side_offset_ = model_.get_history_offset("rod_normal");
+    time_step_.reset();
+  }
+
+  void write_restart_settings(FILE *fp) override
+  {
+    int64_t hash = model_.hashcode();
+    fwrite(&hash, sizeof(int64_t), 1, fp);
+  }
+
+  void read_restart_settings(FILE *fp, int64_t hash) override
+  {
+    int64_t stored = -1;
+    if (comm->me == 0 && fread(&stored, sizeof(int64_t), 1, fp) != 1)
+      error->one(FLERR, "Pair gran: restart file ends within the pair style");
+    if (comm->me == 0 && (hash != -1 ? hash : stored) != model_.hashcode())
+      error->one(FLERR, "Pair gran: restart file was written with other contact models");
+  }
+
+  bool contact_match(const std::string type, const std::string model) override
+  {
+    return model_.contact_match(type, model);
+  }
+  int get_history_offset(const std::string name) override
+  {
+    return model_.get_history_offset(name);
+  }
+  double stressStrainExponent() override { return model_.stressStrainExponent(); }
+
+  void compute_force(PairGran *pair, int eflag, int vflag, int addflag) override;
+
+ private:
+  ContactModel model_;
+  TimeStepMonitor time_step_;
+  int side_offset_ = -1;  // of the remembered normal in a pair's history, -1 if none
+  std::vector<spherocylinder::Segment> segments_;
+
+  void set_geometry(SurfacesIntersectData &sidata, const spherocylinder::ClosestPoints &closest,
+                    bool remember) const;
+  double effective_mass(const PairGran &pair, int i, int j, const spherocylinder::Vec3 &arm_i,
+                        const spherocylinder::Vec3 &arm_j, const spherocylinder::Vec3 &normal) const;
+  void separate(SurfacesIntersectData &sidata, ForceData &i_forces, ForceData &j_forces);
+  void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
+              ForceData &j_forces, int addflag) const;
+};
+
+// Normal, distance and overlap of a touching pair.
+//
+// The normal points along p - q. Where the pair was in contact before, it must not turn round:
+// p - q does so when two axes are driven past each other, and the distance then counts as negative,
+// so that the overlap goes on growing and the rods are pushed back the way they came. Where the
+// axes meet exactly the last normal serves, or without one the common perpendicular.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::set_geometry(
+    SurfacesIntersectData &sidata, const spherocylinder::ClosestPoints &closest,
+    bool remember) const
+{
+  using namespace spherocylinder;
+  double *side = remember && sidata.contact_history ? sidata.contact_history + side_offset_ : nullptr;
+  const bool was_touching = side && (side[0] != 0.0 || side[1] != 0.0 || side[2] != 0.0);
+
+  double distance = std::sqrt(closest.distance_squared);
+  Vec3 normal;
+  if (distance > 0.0) {
+    normal = (1.0 / distance) * closest.delta;
+    if (was_touching && dot(normal, load(side)) < 0.0) {
+      normal = -normal;
+      distance = -distance;
+    }
+  } else if (was_touching) {
+    normal = load(side);
+  } else {
+    const Vec3 u = segments_[sidata.i].axis;
+    normal = cross(u, segments_[sidata.j].axis);
+    if (norm_squared(normal) == 0.0)
+      normal = std::fabs(u.x) < 0.5 ? cross(u, Vec3{1.0, 0.0, 0.0}) : cross(u, Vec3{0.0, 1.0, 0.0});
+    normal = (1.0 / norm(normal)) * normal;
+  }
+
+  sidata.r = distance;
+  sidata.rsq = closest.distance_squared;
+  sidata.rinv = distance != 0.0 ? 1.0 / distance : 0.0;
+  sidata.deltan = sidata.radsum - distance;
+  store(normal, sidata.en);
+  store(distance * normal, sidata.delta);
+  if (side && sidata.computeflag && sidata.shearupdate) store(normal, side);
+}
+
+template <typename ContactModel>
+double GranularSpherocylinder<ContactModel>::effective_mass(
+    const PairGran &pair, int i, int j, const spherocylinder::Vec3 &arm_i,
+    const spherocylinder::Vec3 &arm_j, const spherocylinder::Vec3 &normal) const
+{
+  using spherocylinder::inverse_effective_mass;
+  const int frozen = pair.freeze_group_bit();
+  const bool free_i = !(atom->mask[i] & frozen), free_j = !(atom->mask[j] & frozen);
+  double inverse = 0.0;
+  if (free_i || !free_j)
+    inverse += inverse_effective_mass(atom->rmass[i], atom->inertia[i][0], arm_i, normal);
+  if (free_j || !free_i)
+    inverse += inverse_effective_mass(atom->rmass[j], atom->inertia[j][0], arm_j, normal);
+  return 1.0 / inverse;
+}
+
+// A pair that no longer touches forgets its contact.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::separate(SurfacesIntersectData &sidata,
+                                                    ForceData &i_forces, ForceData &j_forces)
+{
+  if (!sidata.contact_flags || *sidata.contact_flags == 0) return;
+  sidata.has_force_update = false;
+  model_.surfacesClose(sidata, i_forces, j_forces);
+  *sidata.contact_flags = 0;
+  if (side_offset_ >= 0)
+    for (int d = 0; d < 3; d++) sidata.contact_history[side_offset_ + d] = 0.0;
+}
+
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int eflag, int vflag,
+                                                         int addflag)
+{
+  using namespace spherocylinder;
+
+  if (eflag || vflag)
+    pair->ev_setup(eflag, vflag);
+  else
+    pair->evflag = pair->vflag_fdotr = 0;
+
+  double **x = atom->x, **v = atom->v, **omega = atom->omega;
+  double **f = atom->f, **torque = atom->torque, **shape = atom->shape;
+  const double *radius = atom->radius;
+  const int *type = atom->type;
+  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
+
+  segments_.resize(nall);
+  for (int i = 0; i < nall; i++)
+    segments_[i] = {load(x[i]), axis_of(load_quaternion(atom->quaternion[i])),
+                    shape[i][2] - shape[i][0]};
+
+  const int inum = pair->list->inum;
+  const int *ilist = pair->list->ilist, *numneigh = pair->list->numneigh;
+  int **firstneigh = pair->list->firstneigh;
+  int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
+  double **first_history = pair->listgranhistory ? pair->listgranhistory->firstdouble : nullptr;
+  const int dnum = pair->dnum();
+  const bool remember = side_offset_ >= 0;
+
+  SurfacesIntersectData sidata;
+  ForceData i_forces, j_forces;
+  double velocity_i[3], velocity_j[3];
+  sidata.is_wall = false;
+  sidata.area_ratio = 1.0;
+  sidata.computeflag = pair->computeflag();
+  sidata.shearupdate = pair->shearupdate();
+  sidata.v_i = velocity_i;
+  sidata.v_j = velocity_j;
+  model_.beginPass(sidata, i_forces, j_forces);
+
+  for (int ii = 0; ii < inum; ii++) {
+    const int i = ilist[ii];
+    const Segment segment_i = segments_[i];
+    int *flags = first_flags ? first_flags[i] : nullptr;
+    double *history = first_history ? first_history[i] : nullptr;
+    const int *neighbours = firstneigh[i];
+
+    for (int jj = 0; jj < numneigh[i]; jj++) {
+      const int j = neighbours[jj] & NEIGHMASK;
+      const Segment &segment_j = segments_[j];
+      sidata.contact_flags = flags ? &flags[jj] : nullptr;
+      sidata.contact_history = history ? &history[dnum * jj] : nullptr;
+      sidata.i = i;
+      sidata.j = j;
+
+      const double bound = radius[i] + radius[j];
+      const double reach = shape[i][0] + shape[j][0];
+      const bool bounds_touch =
+          norm_squared(segment_i.centre - segment_j.centre) < bound * bound;
+      ClosestPoints closest;
+      if (bounds_touch) closest = closest_points(segment_i, segment_j);
+      if (!bounds_touch || closest.distance_squared >= reach * reach) {
+        separate(sidata, i_forces, j_forces);
+        continue;
+      }
+
+      sidata.radi = shape[i][0];
+      sidata.radj = shape[j][0];
+      sidata.radsum = reach;
+      sidata.itype = type[i];
+      sidata.jtype = type[j];
+      sidata.mi = atom->rmass[i];
+      sidata.mj = atom->rmass[j];
+      sidata.omega_i = omega[i];
+      sidata.omega_j = omega[j];
+      set_geometry(sidata, closest, remember);
+
+      const Vec3 arm_i = closest.s * segment_i.axis, arm_j = closest.t * segment_j.axis;
+      store(velocity_at(load(v[i]), load(omega[i]), arm_i), velocity_i);
+      store(velocity_at(load(v[j]), load(omega[j]), arm_j), velocity_j);
+      sidata.meff = effective_mass(*pair, i, j, arm_i, arm_j, load(sidata.en));
+
+      i_forces.reset();
+      j_forces.reset();
+      model_.surfacesIntersect(sidata, i_forces, j_forces);
+      model_.endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
+      sidata.has_force_update = true;
+      time_step_.look(sidata.kn, sidata.meff, i);
+
+      add_to(i_forces.delta_torque, cross(arm_i, load(i_forces.delta_F)));
+      add_to(j_forces.delta_torque, cross(arm_j, load(j_forces.delta_F)));
+      if (sidata.computeflag) {
+        add_contact_load(f[i], torque[i], pair->relax(i), i_forces);
+        if (j < nlocal) add_contact_load(f[j], torque[j], pair->relax(j), j_forces);
+      }
+      report(*pair, sidata, i_forces, j_forces, addflag);
+    }
+  }
+
+  model_.endPass(sidata, i_forces, j_forces);
+  if (pair->cpl() && addflag) pair->cpl_pair_finalize();
+  if (pair->storeContactForces()) pair->fix_contact_forces()->do_forward_comm();
+  if (pair->storeContactForcesStress()) pair->fix_contact_forces_stress()->do_forward_comm();
+}
+
+// Hands the contact to whatever stock command has asked for it.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::report(PairGran &pair, SurfacesIntersectData &sidata,
+                                                  ForceData &i_forces, ForceData &j_forces,
+                                                  int addflag) const
+{
+  const int i = sidata.i, j = sidata.j, nlocal = atom->nlocal;
+
+  if (sidata.computeflag && pair.store_sum_normal_force()) {
+    const double along = i_forces.delta_F[0] * sidata.en[0] + i_forces.delta_F[1] * sidata.en[1] +
+                         i_forces.delta_F[2] * sidata.en[2];
+    *pair.get_sum_normal_force_ptr(i) += along;
+    if (j < nlocal) *pair.get_sum_normal_force_ptr(j) += along;
+  }
+  if (pair.cpl() && addflag) pair.cpl_add_pair(sidata, i_forces);
+  if (pair.evflag) {
+    // The virial of a rigid body takes the distance of the centres, not of the contact points.
+    double between[3];
+    for (int d = 0; d < 3; d++) between[d] = atom->x[i][d] - atom->x[j][d];
+    pair.ev_tally_xyz(i, j, nlocal, force->newton_pair, 0.0, 0.0, i_forces.delta_F[0],
+                      i_forces.delta_F[1], i_forces.delta_F[2], between[0], between[1],
+                      between[2]);
+  }
+  if (pair.storeContactForces() && update->ntimestep % pair.storeContactForcesEvery() == 0) {
+    const auto keep = [&](int a, int b, const ForceData &forces) {
+      if (pair.fix_contact_forces()->has_partner(a, atom->tag[b]) != -1) return;
+      double row[6];
+      for (int d = 0; d < 3; d++) {
+        row[d] = forces.delta_F[d];
+        row[3 + d] = forces.delta_torque[d];
+      }
+      pair.fix_contact_forces()->add_partner(a, atom->tag[b], row);
+    };
+    keep(i, j, i_forces);
+    keep(j, i, j_forces);
+  }
+  if (pair.storeContactForcesStress()) {
+    const auto keep = [&](int a, int b, const ForceData &forces) {
+      if (pair.fix_contact_forces_stress()->has_partner(a, atom->tag[b]) != -1) return;
+      double row[4] = {forces.delta_F[0], forces.delta_F[1], forces.delta_F[2],
+                       static_cast<double>(b)};
+      pair.fix_contact_forces_stress()->add_partner(a, atom->tag[b], row);
+    };
+    keep(i, j, i_forces);
+    keep(j, i, j_forces);
+  }
+}
+
+}  // namespace PairStyles
+}  // namespace LIGGGHTS

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rod_checks.h"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "atom_vec_spherocylinder.h"
+#include "comm.h"
+#include "core/mass_properties.h"
+#include "error.h"
+#include "fix.h"
+#include "fix_wall_gran.h"
+#include "force.h"
+#include "group.h"
+#include "lammps.h"
+#include "modify.h"
+#include "pair_gran.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+// Radius, mass and inertia are worked out from the same numbers by the same formula, so that
+// anything beyond round-off means that another command has written one of them.
+constexpr double kRoundOff = 1e-12;
+
+std::string formatted(const char *format, va_list arguments)
+{
+  char text[512];
+  vsnprintf(text, sizeof(text), format, arguments);
+  return text;
+}
+
+bool differs(double a, double b) { return std::fabs(a - b) > kRoundOff * std::fabs(b); }
+
+bool is_running(LAMMPS *lmp) { return lmp->update->whichflag == 1; }
+
+bigint count_rods(LAMMPS *lmp, int any_of, int all_of)
+{
+  const Atom *atom = lmp->atom;
+  bigint local = 0, total = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & any_of) && (atom->mask[i] & all_of) == all_of) local++;
+  MPI_Allreduce(&local, &total, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
+  return total;
+}
+
+}  // namespace
+
+void LAMMPS_NS::rod_error_all(LAMMPS *lmp, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  const std::string text = formatted(format, arguments);
+  va_end(arguments);
+  lmp->error->all(FLERR, text.c_str());
+  std::abort();  // not reached: Error::all ends the program
+}
+
+void LAMMPS_NS::rod_error_one(LAMMPS *lmp, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  const std::string text = formatted(format, arguments);
+  va_end(arguments);
+  lmp->error->one(FLERR, text.c_str());
+  std::abort();  // not reached: Error::one ends the program
+}
+
+void LAMMPS_NS::rod_warning(LAMMPS *lmp, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  const std::string text = formatted(format, arguments);
+  va_end(arguments);
+  lmp->error->warning(FLERR, text.c_str());
+}
+
+AtomVecSpherocylinder &LAMMPS_NS::rods_of(LAMMPS *lmp, const char *who)
+{
+  auto *rods = dynamic_cast<AtomVecSpherocylinder *>(lmp->atom->avec);
+  if (!rods)
+    rod_error_all(lmp, "%s requires atom_style spherocylinder (got %s)", who,
+                  lmp->atom->atom_style);
+  return *rods;
+}
+
+void LAMMPS_NS::check_atom_style_is_alone(LAMMPS *lmp)
+{
+  rods_of(lmp, "Atom style spherocylinder cannot be part of another style: it");
+}
+
+void LAMMPS_NS::check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods)
+{
+  const Atom *atom = lmp->atom;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *shape = atom->shape[i];
+    if (atom->radius[i] != shape[2])
+      rod_error_one(lmp,
+                    "Atom style spherocylinder: rod %d has bounding radius %g but half length %g; "
+                    "a rod's size cannot be changed by set diameter, define it in the data file or "
+                    "the particle template",
+                    atom->tag[i], atom->radius[i], shape[2]);
+    const spherocylinder::MassProperties wanted =
+        spherocylinder::mass_properties(2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
+    if (differs(atom->inertia[i][0], wanted.inertia_transverse)) {
+      rods.set_rod(i, 2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
+    } else if (differs(atom->rmass[i], wanted.mass)) {
+      rod_error_one(lmp,
+                    "Atom style spherocylinder: rod %d has mass %g but its size and density %g "
+                    "make %g; use set density instead of set mass",
+                    atom->tag[i], atom->rmass[i], atom->density[i], wanted.mass);
+    }
+  }
+}
+
+void LAMMPS_NS::check_templates_make_rods(LAMMPS *lmp)
+{
+  for (int i = 0; i < lmp->modify->nfix; i++) {
+    const Fix *fix = lmp->modify->fix[i];
+    if (strncmp(fix->style, "particletemplate/", 17) == 0 &&
+        strcmp(fix->style, "particletemplate/spherocylinder") != 0)
+      rod_error_all(lmp,
+                    "Fix %s (id %s) cannot insert into atom_style spherocylinder: use "
+                    "particletemplate/spherocylinder (a sphere is a rod with length = diameter)",
+                    fix->style, fix->id);
+  }
+}
+
+void LAMMPS_NS::check_contact_styles_know_rods(LAMMPS *lmp)
+{
+  if (!is_running(lmp)) return;
+
+  if (lmp->force->pair) {
+    auto *pair = dynamic_cast<PairGran *>(lmp->force->pair);
+    if (!pair)
+      rod_error_all(lmp,
+                    "Atom style spherocylinder: pair_style %s does not know rods, use pair_style "
+                    "gran with surface spherocylinder",
+                    lmp->force->pair_style);
+    if (!pair->contact_match("surface", "spherocylinder"))
+      rod_error_all(lmp,
+                    "Atom style spherocylinder: pair_style gran must be given surface "
+                    "spherocylinder (without it rods would touch as their bounding spheres)");
+  }
+  for (int i = 0; i < lmp->modify->nfix; i++) {
+    Fix *fix = lmp->modify->fix[i];
+    if (strncmp(fix->style, "wall/gran", 9) != 0) continue;
+    auto *wall = dynamic_cast<FixWallGran *>(fix);
+    if (wall && !wall->contact_match("surface", "spherocylinder"))
+      rod_error_all(lmp,
+                    "Fix %s (id %s): with atom_style spherocylinder it must be given surface "
+                    "spherocylinder (without it rods would touch as their bounding spheres)",
+                    fix->style, fix->id);
+  }
+}
+
+void LAMMPS_NS::check_each_rod_is_integrated_once(LAMMPS *lmp)
+{
+  if (!is_running(lmp) || lmp->update->nsteps == 0) return;
+
+  const Modify *modify = lmp->modify;
+  int integrated = 0;  // groups with an integrator
+  bool has_integrator = false;
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix *fix = modify->fix[i];
+    if (!fix->time_integrate) continue;
+    const bool is_ours = strcmp(fix->style, "nve/spherocylinder") == 0;
+    has_integrator = has_integrator || is_ours;
+    integrated |= fix->groupbit;
+
+    // Two integrators of the same rod: by group if there are no rods yet, by rod otherwise.
+    for (int j = 0; j < i; j++) {
+      const Fix *other = modify->fix[j];
+      if (!other->time_integrate) continue;
+      if (!is_ours && strcmp(other->style, "nve/spherocylinder") != 0) continue;
+      const bigint twice = count_rods(lmp, fix->groupbit, fix->groupbit | other->groupbit);
+      if (fix->groupbit == other->groupbit || twice > 0)
+        rod_error_all(lmp,
+                      "Fix %s (id %s) integrates group %s, of which " BIGINT_FORMAT
+                      " rods are also integrated by fix %s (id %s); a rod wants exactly one "
+                      "integrator",
+                      fix->style, fix->id, lmp->group->names[fix->igroup], twice, other->style,
+                      other->id);
+    }
+  }
+  if (!has_integrator)
+    rod_error_all(lmp,
+                  "Atom style spherocylinder: no integrator is defined, rods would not move "
+                  "(expected fix ID group nve/spherocylinder)");
+
+  const bigint still = count_rods(lmp, 1, 0) - count_rods(lmp, integrated, 0);
+  if (still > 0 && lmp->comm->me == 0)
+    rod_warning(lmp,
+                "Atom style spherocylinder: " BIGINT_FORMAT
+                " rods are in no integrator's group and will not move",
+                still);
+}

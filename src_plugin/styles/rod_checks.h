@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What must hold before a run with rods, checked at each run's start. Each failure is one sentence
+// that says who, what, the value seen and the value wanted.
+#pragma once
+
+namespace LAMMPS_NS {
+
+class AtomVecSpherocylinder;
+class LAMMPS;
+
+// printf-style errors through LIGGGHTS's Error. `all`: called by every rank; `one`: by any rank.
+[[noreturn]] void rod_error_all(LAMMPS *lmp, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+[[noreturn]] void rod_error_one(LAMMPS *lmp, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+// Printed by the calling rank.
+void rod_warning(LAMMPS *lmp, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// The rods' atom style, or an error that names `who` if the simulation has another one.
+AtomVecSpherocylinder &rods_of(LAMMPS *lmp, const char *who);
+
+void check_atom_style_is_alone(LAMMPS *lmp);
+
+// `set ... density` re-sizes the mass here; `set ... diameter` and `set ... mass` are refused.
+void check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods);
+
+void check_templates_make_rods(LAMMPS *lmp);
+
+// Without our surface model the stock pair and wall would use the rods' bounding spheres.
+void check_contact_styles_know_rods(LAMMPS *lmp);
+
+void check_each_rod_is_integrated_once(LAMMPS *lmp);
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pieces that the rods' pair and wall contacts share.
+#pragma once
+
+#include <cmath>
+
+#include "atom.h"
+#include "comm.h"
+#include "contact_interface.h"
+#include "core/contact_kinematics.h"
+#include "core/rotation.h"
+#include "pointers.h"
+#include "rod_checks.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+// An undamped spring contact integrated by velocity Verlet is stable below dt = 2 sqrt(m_eff/k);
+// rods have several contacts at once, and accuracy wants more. Recommended: a tenth of that limit.
+constexpr double kRecommendedFraction = 0.1;
+// Warned about: more than twice the recommended step.
+constexpr double kWarnedFraction = 0.2;
+
+// Watches the stiffness and effective mass of every contact, whatever model made them, and warns
+// once a run if the time step is far too long.
+class TimeStepMonitor : protected Pointers {
+ public:
+  explicit TimeStepMonitor(LAMMPS *lmp) : Pointers(lmp) {}
+
+  // At the start of each run.
+  void reset()
+  {
+    const double dt = update->dt;
+    threshold_ = dt * dt / (4.0 * kWarnedFraction * kWarnedFraction);
+  }
+
+  void look(double stiffness, double effective_mass, int i)
+  {
+    if (stiffness * threshold_ > effective_mass) warn(stiffness, effective_mass, i);
+  }
+
+ private:
+  double threshold_ = 0.0;  // s^2, so that stiffness * threshold_ > m_eff means too long a step
+
+  void warn(double stiffness, double effective_mass, int i)
+  {
+    threshold_ = 0.0;
+    const double limit = 2.0 * std::sqrt(effective_mass / stiffness);
+    rod_warning(lmp,
+                "Rod contacts: time step %g is far over the recommended %g (%g of the stability "
+                "limit %g of the contact of rod %d at step " BIGINT_FORMAT
+                "); use a shorter step or a softer contact",
+                update->dt, kRecommendedFraction * limit, kRecommendedFraction, limit,
+                atom->tag[i], update->ntimestep);
+  }
+};
+
+// Adds what one contact does to a rod: the models' force, their torque about the virtual sphere's
+// centre, and the force's torque about the rod's centre.
+inline void add_contact_load(double *f, double *torque, double factor,
+                             const LIGGGHTS::ContactModels::ForceData &load)
+{
+  for (int d = 0; d < 3; d++) {
+    f[d] += factor * load.delta_F[d];
+    torque[d] += factor * load.delta_torque[d];
+  }
+}
+
+}  // namespace LAMMPS_NS
