@@ -25,10 +25,13 @@ Quaternion rotation_about(const Vec3 &direction, double angle)
 
 Quaternion orientation_of(const Vec3 &axis)
 {
-  // q = (1 + z.u, z x u) normalized; 1 + u_z cancels for u near -z, so build it there from the
-  // opposite axis, which needs the same half turn about x first.
-  if (axis.z < 0.0) return orientation_of(-axis) * Quaternion{0.0, 1.0, 0.0, 0.0};
-  return normalized({1.0 + axis.z, -axis.y, axis.x, 0.0});
+  // q = (1 + z.u, z x u) normalized.
+  if (axis.z >= 0.0) return normalized({1.0 + axis.z, -axis.y, axis.x, 0.0});
+
+  // 1 + u_z = (u_x^2 + u_y^2) / (1 - u_z) cancels near -z: divide q by |z x u| instead.
+  const double sine = std::hypot(axis.x, axis.y);
+  if (sine == 0.0) return {0.0, 1.0, 0.0, 0.0};
+  return normalized({sine / (1.0 - axis.z), -axis.y / sine, axis.x / sine, 0.0});
 }
 
 Quaternion rotate_freely(const Quaternion &q, const Vec3 &angular_momentum, double inertia_axial,

@@ -72,6 +72,10 @@ class AtomVecSpherocylinder : public AtomVec {
   // Rod i as geometry (space frame, m), for owned and ghost rods.
   spherocylinder::Capsule capsule(int i) const;
 
+  // Largest overlap of any contact, walls included, over the (mean) diameter of its rods, since
+  // the run began; this rank's contacts.
+  double largest_overlap = 0.0;
+
   // Rods that random insertion must keep clear of, shared by all templates of one insertion.
   RodInsertionList &insertion_list();
 

@@ -30,7 +30,7 @@ ComputeContactSpherocylinder::ComputeContactSpherocylinder(LAMMPS *lmp, int &iar
   peratom_flag = 1;
   size_peratom_cols = 0;
   vector_flag = 1;
-  size_vector = 4;
+  size_vector = 5;
   extvector = 0;
   vector = values_;
 }
@@ -94,20 +94,24 @@ void ComputeContactSpherocylinder::compute_peratom()
   visit_contacts();
 }
 
-// 1: contacts a rod; 2: contacts (pairs); 3: mean and 4: largest overlap over the mean diameter
+// 1: contacts a rod; 2: contacts (pairs); 3: mean and 4: largest overlap over the mean diameter;
+// 5: the largest of any contact, walls included, in any step since the run began
 void ComputeContactSpherocylinder::compute_vector()
 {
   invoked_vector = update->ntimestep;
   visit_contacts();
   const double local[2] = {pairs_, overlap_sum_};
-  double total[2], largest = 0.0;
+  const double local_peaks[2] = {
+      largest_overlap_, rods_of(lmp, "Compute contact/spherocylinder").largest_overlap};
+  double total[2], peaks[2];
   MPI_Allreduce(local, total, 2, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(&largest_overlap_, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(local_peaks, peaks, 2, MPI_DOUBLE, MPI_MAX, world);
   const double rods_in_group = static_cast<double>(group->count(igroup));
   values_[0] = rods_in_group > 0.0 ? 2.0 * total[0] / rods_in_group : 0.0;
   values_[1] = total[0];
   values_[2] = total[0] > 0.0 ? total[1] / total[0] : 0.0;
-  values_[3] = largest;
+  values_[3] = peaks[0];
+  values_[4] = peaks[1];
 }
 
 double ComputeContactSpherocylinder::memory_usage()

@@ -31,7 +31,7 @@ class ComputeContactSpherocylinder : public Compute {
   double pairs_ = 0.0;            // contacts with both rods in the group
   double overlap_sum_ = 0.0;      // of overlap / diameter over those
   double largest_overlap_ = 0.0;  // overlap / diameter
-  double values_[4] = {};
+  double values_[5] = {};
 
   void visit_contacts();
 };

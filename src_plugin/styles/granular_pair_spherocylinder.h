@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "atom.h"
+#include "close_rod_pairs.h"
 #include "comm.h"
 #include "core/closest_points.h"
 #include "core/contact_kinematics.h"
@@ -14,6 +15,7 @@
 #include "force.h"
 #include "granular_pair_style.h"
 #include "neigh_list.h"
+#include "neighbor.h"
 #include "rod_contact.h"
 #include "settings.h"
 
@@ -28,7 +30,7 @@ template <typename ContactModel>
 class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
  public:
   GranularSpherocylinder(LAMMPS *lmp, PairGran *parent, const int64_t hash)
-      : Pointers(lmp), model_(lmp, parent, false, hash), time_step_(lmp)
+      : Pointers(lmp), model_(lmp, parent, false, hash), monitor_(lmp)
   {
   }
 
@@ -45,12 +47,12 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
 
   void init_granular() override
   {
-    rods_of(lmp, "Pair gran with surface spherocylinder");
+    AtomVecSpherocylinder &rods = rods_of(lmp, "Pair gran with surface spherocylinder");
     if (force->newton_pair)
       rod_error_all(lmp, "Pair gran with surface spherocylinder requires newton off (got newton on)");
     model_.connectToProperties(force->registry);
     side_offset_ = model_.get_history_offset("rod_normal");
-    time_step_.reset();
+    monitor_.reset(rods);
   }
 
   void write_restart_settings(FILE *fp) override
@@ -82,10 +84,13 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
 
  private:
   ContactModel model_;
-  TimeStepMonitor time_step_;
+  ContactMonitor monitor_;
   int side_offset_ = -1;  // of the remembered normal in a pair's history, -1 if none
-  std::vector<spherocylinder::Segment> segments_;
+  std::vector<spherocylinder::Segment> segments_;  // of owned and ghost rods
+  std::vector<double> rod_radius_;
+  CloseRodPairs close_pairs_;
 
+  void read_rods();
   void set_geometry(SurfacesIntersectData &sidata, const spherocylinder::ClosestPoints &closest,
                     bool remember) const;
   double effective_mass(const PairGran &pair, int i, int j, const spherocylinder::Vec3 &arm_i,
@@ -167,6 +172,21 @@ void GranularSpherocylinder<ContactModel>::separate(SurfacesIntersectData &sidat
 }
 
 template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::read_rods()
+{
+  const int nall = atom->nlocal + atom->nghost;
+  segments_.resize(nall);
+  rod_radius_.resize(nall);
+  for (int i = 0; i < nall; i++) {
+    const double *shape = atom->shape[i];
+    segments_[i] = {spherocylinder::load(atom->x[i]),
+                    spherocylinder::axis_of(spherocylinder::load_quaternion(atom->quaternion[i])),
+                    shape[2] - shape[0]};
+    rod_radius_[i] = shape[0];
+  }
+}
+
+template <typename ContactModel>
 void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int eflag, int vflag,
                                                          int addflag)
 {
@@ -177,22 +197,15 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   else
     pair->evflag = pair->vflag_fdotr = 0;
 
-  double **x = atom->x, **v = atom->v, **omega = atom->omega;
-  double **f = atom->f, **torque = atom->torque, **shape = atom->shape;
-  const double *radius = atom->radius;
+  double **v = atom->v, **omega = atom->omega, **f = atom->f, **torque = atom->torque;
   const int *type = atom->type;
-  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
+  const int nlocal = atom->nlocal;
 
-  segments_.resize(nall);
-  for (int i = 0; i < nall; i++)
-    segments_[i] = {load(x[i]), axis_of(load_quaternion(atom->quaternion[i])),
-                    shape[i][2] - shape[i][0]};
-
-  const int inum = pair->list->inum;
-  const int *ilist = pair->list->ilist, *numneigh = pair->list->numneigh;
-  int **firstneigh = pair->list->firstneigh;
   int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
   double **first_history = pair->listgranhistory ? pair->listgranhistory->firstdouble : nullptr;
+  read_rods();
+  close_pairs_.update(*pair->list, first_flags, segments_, rod_radius_, neighbor->ago == 0);
+
   const int dnum = pair->dnum();
   const bool remember = side_offset_ >= 0;
 
@@ -207,63 +220,51 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   sidata.v_j = velocity_j;
   model_.beginPass(sidata, i_forces, j_forces);
 
-  for (int ii = 0; ii < inum; ii++) {
-    const int i = ilist[ii];
-    const Segment segment_i = segments_[i];
-    int *flags = first_flags ? first_flags[i] : nullptr;
-    double *history = first_history ? first_history[i] : nullptr;
-    const int *neighbours = firstneigh[i];
+  for (const CloseRodPairs::Entry &entry : close_pairs_.entries()) {
+    const int i = entry.i, j = entry.j;
+    const Segment &segment_i = segments_[i], &segment_j = segments_[j];
+    sidata.contact_flags = first_flags ? &first_flags[i][entry.index] : nullptr;
+    sidata.contact_history = first_history ? &first_history[i][dnum * entry.index] : nullptr;
+    sidata.i = i;
+    sidata.j = j;
 
-    for (int jj = 0; jj < numneigh[i]; jj++) {
-      const int j = neighbours[jj] & NEIGHMASK;
-      const Segment &segment_j = segments_[j];
-      sidata.contact_flags = flags ? &flags[jj] : nullptr;
-      sidata.contact_history = history ? &history[dnum * jj] : nullptr;
-      sidata.i = i;
-      sidata.j = j;
-
-      const double bound = radius[i] + radius[j];
-      const double reach = shape[i][0] + shape[j][0];
-      const bool bounds_touch =
-          norm_squared(segment_i.centre - segment_j.centre) < bound * bound;
-      ClosestPoints closest;
-      if (bounds_touch) closest = closest_points(segment_i, segment_j);
-      if (!bounds_touch || closest.distance_squared >= reach * reach) {
-        separate(sidata, i_forces, j_forces);
-        continue;
-      }
-
-      sidata.radi = shape[i][0];
-      sidata.radj = shape[j][0];
-      sidata.radsum = reach;
-      sidata.itype = type[i];
-      sidata.jtype = type[j];
-      sidata.mi = atom->rmass[i];
-      sidata.mj = atom->rmass[j];
-      sidata.omega_i = omega[i];
-      sidata.omega_j = omega[j];
-      set_geometry(sidata, closest, remember);
-
-      const Vec3 arm_i = closest.s * segment_i.axis, arm_j = closest.t * segment_j.axis;
-      store(velocity_at(load(v[i]), load(omega[i]), arm_i), velocity_i);
-      store(velocity_at(load(v[j]), load(omega[j]), arm_j), velocity_j);
-      sidata.meff = effective_mass(*pair, i, j, arm_i, arm_j, load(sidata.en));
-
-      i_forces.reset();
-      j_forces.reset();
-      model_.surfacesIntersect(sidata, i_forces, j_forces);
-      model_.endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
-      sidata.has_force_update = true;
-      time_step_.look(sidata.kn, sidata.meff, i);
-
-      add_to(i_forces.delta_torque, cross(arm_i, load(i_forces.delta_F)));
-      add_to(j_forces.delta_torque, cross(arm_j, load(j_forces.delta_F)));
-      if (sidata.computeflag) {
-        add_contact_load(f[i], torque[i], pair->relax(i), i_forces);
-        if (j < nlocal) add_contact_load(f[j], torque[j], pair->relax(j), j_forces);
-      }
-      report(*pair, sidata, i_forces, j_forces, addflag);
+    const double reach = rod_radius_[i] + rod_radius_[j];
+    const ClosestPoints closest = closest_points(segment_i, segment_j);
+    if (closest.distance_squared >= reach * reach) {
+      separate(sidata, i_forces, j_forces);
+      continue;
     }
+
+    sidata.radi = rod_radius_[i];
+    sidata.radj = rod_radius_[j];
+    sidata.radsum = reach;
+    sidata.itype = type[i];
+    sidata.jtype = type[j];
+    sidata.mi = atom->rmass[i];
+    sidata.mj = atom->rmass[j];
+    sidata.omega_i = omega[i];
+    sidata.omega_j = omega[j];
+    set_geometry(sidata, closest, remember);
+
+    const Vec3 arm_i = closest.s * segment_i.axis, arm_j = closest.t * segment_j.axis;
+    store(velocity_at(load(v[i]), load(omega[i]), arm_i), velocity_i);
+    store(velocity_at(load(v[j]), load(omega[j]), arm_j), velocity_j);
+    sidata.meff = effective_mass(*pair, i, j, arm_i, arm_j, load(sidata.en));
+
+    i_forces.reset();
+    j_forces.reset();
+    model_.surfacesIntersect(sidata, i_forces, j_forces);
+    model_.endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
+    sidata.has_force_update = true;
+    monitor_.look(sidata, reach);
+
+    add_to(i_forces.delta_torque, cross(arm_i, load(i_forces.delta_F)));
+    add_to(j_forces.delta_torque, cross(arm_j, load(j_forces.delta_F)));
+    if (sidata.computeflag) {
+      add_contact_load(f[i], torque[i], pair->relax(i), i_forces);
+      if (j < nlocal) add_contact_load(f[j], torque[j], pair->relax(j), j_forces);
+    }
+    report(*pair, sidata, i_forces, j_forces, addflag);
   }
 
   model_.endPass(sidata, i_forces, j_forces);

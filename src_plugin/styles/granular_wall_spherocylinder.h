@@ -33,7 +33,7 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
       : Pointers(lmp),
         parent_(parent),
         models_{{lmp, parent, true, hash}, {lmp, parent, true, hash}},
-        time_step_(lmp)
+        monitor_(lmp)
   {
   }
 
@@ -55,9 +55,9 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
 
   void init_granular() override
   {
-    rods_of(lmp, "Fix wall/gran with surface spherocylinder");
+    AtomVecSpherocylinder &rods = rods_of(lmp, "Fix wall/gran with surface spherocylinder");
     for (ContactModel &model : models_) model.connectToProperties(force->registry);
-    time_step_.reset();
+    monitor_.reset(rods);
   }
 
   bool checkSurfaceIntersect(SurfacesIntersectData &) override { return true; }
@@ -74,7 +74,7 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
  private:
   FixWallGran *parent_;
   ContactModel models_[2];  // one an end
-  TimeStepMonitor time_step_;
+  ContactMonitor monitor_;
 
   // Where an end sphere is relative to the wall.
   struct EndContact {
@@ -221,7 +221,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     models_[k].surfacesIntersect(sidata, i_forces, j_forces);
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;
-    time_step_.look(sidata.kn, sidata.meff, i);
+    monitor_.look(sidata, 2.0 * radius);
 
     add_to(i_forces.delta_torque, cross(arm, load(i_forces.delta_F)));
     add_contact_load(total.delta_F, total.delta_torque, 1.0, i_forces);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "atom.h"
+#include "atom_vec_spherocylinder.h"
 #include "comm.h"
 #include "contact_interface.h"
 #include "core/contact_kinematics.h"
@@ -21,37 +22,44 @@ constexpr double kRecommendedFraction = 0.1;
 // Warned about: more than twice the recommended step.
 constexpr double kWarnedFraction = 0.2;
 
-// Watches the stiffness and effective mass of every contact, whatever model made them, and warns
-// once a run if the time step is far too long.
-class TimeStepMonitor : protected Pointers {
+// Watches every contact, whatever model made it: warns once a run if the time step is far too
+// long, and keeps the largest overlap.
+class ContactMonitor : protected Pointers {
  public:
-  explicit TimeStepMonitor(LAMMPS *lmp) : Pointers(lmp) {}
+  explicit ContactMonitor(LAMMPS *lmp) : Pointers(lmp) {}
 
   // At the start of each run.
-  void reset()
+  void reset(AtomVecSpherocylinder &rods)
   {
+    rods_ = &rods;
+    rods_->largest_overlap = 0.0;
     const double dt = update->dt;
     threshold_ = dt * dt / (4.0 * kWarnedFraction * kWarnedFraction);
   }
 
-  void look(double stiffness, double effective_mass, int i)
+  // After the contact models: sidata holds stiffness, effective mass and overlap.
+  // `diameter`: of the rod, or the mean of two rods (m).
+  void look(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata, double diameter)
   {
-    if (stiffness * threshold_ > effective_mass) warn(stiffness, effective_mass, i);
+    if (sidata.kn * threshold_ > sidata.meff) warn(sidata);
+    if (sidata.deltan > rods_->largest_overlap * diameter)
+      rods_->largest_overlap = sidata.deltan / diameter;
   }
 
  private:
+  AtomVecSpherocylinder *rods_ = nullptr;
   double threshold_ = 0.0;  // s^2, so that stiffness * threshold_ > m_eff means too long a step
 
-  void warn(double stiffness, double effective_mass, int i)
+  void warn(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata)
   {
     threshold_ = 0.0;
-    const double limit = 2.0 * std::sqrt(effective_mass / stiffness);
+    const double limit = 2.0 * std::sqrt(sidata.meff / sidata.kn);
     rod_warning(lmp,
                 "Rod contacts: time step %g is far over the recommended %g (%g of the stability "
                 "limit %g of the contact of rod %d at step " BIGINT_FORMAT
                 "); use a shorter step or a softer contact",
                 update->dt, kRecommendedFraction * limit, kRecommendedFraction, limit,
-                atom->tag[i], update->ntimestep);
+                atom->tag[sidata.i], update->ntimestep);
   }
 };
 
