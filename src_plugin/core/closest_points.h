@@ -23,6 +23,16 @@ struct ClosestPoints {
 // Of equally near pairs (parallel rods side by side) one at an end is returned.
 ClosestPoints closest_points(const Segment &i, const Segment &j);
 
+// True if the segments are certainly farther apart than `reach`: the distance of the infinite
+// lines, |between . n| / |n| with n = u x v, is a lower bound. Cheap; false for most near pairs and
+// for all parallel ones.
+inline bool lines_are_apart(const Segment &i, const Segment &j, double reach)
+{
+  const Vec3 normal = cross(i.axis, j.axis);
+  const double along = dot(j.centre - i.centre, normal);
+  return along * along > reach * reach * norm_squared(normal);
+}
+
 // Position on the segment nearest to a point, signed distance from the segment's centre.
 inline double closest_position(const Segment &segment, const Vec3 &point)
 {

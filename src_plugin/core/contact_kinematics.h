@@ -12,14 +12,27 @@ inline Vec3 velocity_at(const Vec3 &velocity, const Vec3 &omega, const Vec3 &arm
   return velocity + cross(omega, arm);
 }
 
+// Reciprocals, worked out once a rod and step and used once a contact.
+struct InverseInertia {
+  double mass;        // 1/m, 1/kg
+  double transverse;  // 1/I_t, 1/(kg m^2)
+};
+
 // 1/m + (a x n)^T I^-1 (a x n), in 1/kg: the acceleration of the point at `arm` along the unit
 // vector `normal` per unit force along it. For a point on the axis a x n is at right angles to the
 // axis, so that only the transverse inertia takes part. The effective mass of a contact is the
 // inverse of the sum over its two bodies; a wall adds nothing.
+inline double inverse_effective_mass(const InverseInertia &inverse, const Vec3 &arm_on_axis,
+                                     const Vec3 &normal)
+{
+  return inverse.mass + inverse.transverse * norm_squared(cross(arm_on_axis, normal));
+}
+
 inline double inverse_effective_mass(double mass, double inertia_transverse,
                                      const Vec3 &arm_on_axis, const Vec3 &normal)
 {
-  return 1.0 / mass + norm_squared(cross(arm_on_axis, normal)) / inertia_transverse;
+  return inverse_effective_mass(InverseInertia{1.0 / mass, 1.0 / inertia_transverse}, arm_on_axis,
+                                normal);
 }
 
 }  // namespace spherocylinder

@@ -15,38 +15,30 @@ namespace {
 // pairs; in settled beds about 4.6 neighbours a rod are nearer than 0.3 diameters and 3 touch.
 constexpr double kSkinInDiameters = 0.4;
 
-// True if the segments are certainly farther apart than `reach`: the distance of the infinite
-// lines, |between . n| / |n|, is a lower bound.
-bool lines_are_apart(const Segment &i, const Segment &j, double reach)
-{
-  const Vec3 normal = cross(i.axis, j.axis);
-  const double along = dot(j.centre - i.centre, normal);
-  return along * along > reach * reach * norm_squared(normal);
-}
-
 }  // namespace
 
 // Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about
 // the axis moves no surface.
-bool CloseRodPairs::mark_moved(const std::vector<Segment> &segments)
+bool CloseRodPairs::mark_moved(const std::vector<Capsule> &rods)
 {
   bool any = false;
   const double half_skin = 0.5 * skin_;
-  for (size_t i = 0; i < segments.size(); i++) {
-    const double shift = norm(segments[i].centre - reference_[i].centre) +
-                         segments[i].half_length * norm(segments[i].axis - reference_[i].axis);
+  for (size_t i = 0; i < rods.size(); i++) {
+    const Segment &now = rods[i].segment, &then = reference_[i].segment;
+    const double shift =
+        norm(now.centre - then.centre) + now.half_length * norm(now.axis - then.axis);
     moved_[i] = shift > half_skin;
     if (!moved_[i]) continue;
-    reference_[i] = segments[i];
+    reference_[i] = rods[i];
     any = true;
   }
   return any;
 }
 
-bool CloseRodPairs::is_close(int i, int j, const std::vector<double> &radius) const
+bool CloseRodPairs::is_close(int i, int j) const
 {
-  const Segment &a = reference_[i], &b = reference_[j];
-  const double reach = radius[i] + radius[j] + skin_;
+  const Segment &a = reference_[i].segment, &b = reference_[j].segment;
+  const double reach = reference_[i].radius + reference_[j].radius + skin_;
   const double bound = reach + a.half_length + b.half_length;
   if (norm_squared(a.centre - b.centre) >= bound * bound) return false;
   if (lines_are_apart(a, b, reach)) return false;
@@ -54,17 +46,16 @@ bool CloseRodPairs::is_close(int i, int j, const std::vector<double> &radius) co
 }
 
 void CloseRodPairs::update(const NeighList &list, int **contact_flags,
-                           const std::vector<Segment> &segments,
-                           const std::vector<double> &radius, bool rebuilt)
+                           const std::vector<Capsule> &rods, bool rebuilt)
 {
   if (rebuilt) {
     entries_.clear();
-    reference_ = segments;
-    moved_.assign(segments.size(), 1);
-    skin_ = radius.empty()
-                ? 0.0
-                : kSkinInDiameters * 2.0 * *std::max_element(radius.begin(), radius.end());
-  } else if (!mark_moved(segments)) {
+    reference_ = rods;
+    moved_.assign(rods.size(), 1);
+    double thickest = 0.0;
+    for (const Capsule &rod : rods) thickest = std::max(thickest, 2.0 * rod.radius);
+    skin_ = kSkinInDiameters * thickest;
+  } else if (!mark_moved(rods)) {
     return;
   }
 
@@ -83,7 +74,7 @@ void CloseRodPairs::update(const NeighList &list, int **contact_flags,
       old += was_close;
       bool close = was_close;
       if (moved_i || moved_[j])
-        close = (contact_flags && contact_flags[i][index]) || is_close(i, j, radius);
+        close = (contact_flags && contact_flags[i][index]) || is_close(i, j);
       if (close) next_entries_.push_back({i, j, index});
     }
   }

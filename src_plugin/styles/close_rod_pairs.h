@@ -25,22 +25,21 @@ class CloseRodPairs {
     int index;  // of j among the neighbours of i in LIGGGHTS's list
   };
 
-  // Brings the list up to date. `segments` and `radius` are of all owned and ghost rods;
-  // `rebuilt`: LIGGGHTS's list is a new one. Pairs with a contact flag are always kept.
+  // Brings the list up to date. `rods`: all owned and ghost rods; `rebuilt`: LIGGGHTS's list is a
+  // new one. Pairs with a contact flag are always kept.
   void update(const NeighList &list, int **contact_flags,
-              const std::vector<spherocylinder::Segment> &segments,
-              const std::vector<double> &radius, bool rebuilt);
+              const std::vector<spherocylinder::Capsule> &rods, bool rebuilt);
 
   const std::vector<Entry> &entries() const { return entries_; }
 
  private:
   double skin_ = 0.0;  // m
-  std::vector<spherocylinder::Segment> reference_;
+  std::vector<spherocylinder::Capsule> reference_;
   std::vector<char> moved_;
   std::vector<Entry> entries_, next_entries_;
 
-  bool mark_moved(const std::vector<spherocylinder::Segment> &segments);
-  bool is_close(int i, int j, const std::vector<double> &radius) const;
+  bool mark_moved(const std::vector<spherocylinder::Capsule> &rods);
+  bool is_close(int i, int j) const;
 };
 
 }  // namespace LAMMPS_NS

@@ -86,15 +86,20 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   ContactModel model_;
   ContactMonitor monitor_;
   int side_offset_ = -1;  // of the remembered normal in a pair's history, -1 if none
-  std::vector<spherocylinder::Segment> segments_;  // of owned and ghost rods
-  std::vector<double> rod_radius_;
+
+  // What a contact needs of a rod's motion.
+  struct Motion {
+    spherocylinder::Vec3 velocity, omega;
+    spherocylinder::InverseInertia inverse;  // zero for a frozen rod
+  };
+  // Of owned and ghost rods, gathered once a step: the contact loop reads them side by side.
+  std::vector<spherocylinder::Capsule> rods_;
+  std::vector<Motion> motions_;
   CloseRodPairs close_pairs_;
 
-  void read_rods();
+  void read_rods(int frozen_bit);
   void set_geometry(SurfacesIntersectData &sidata, const spherocylinder::ClosestPoints &closest,
                     bool remember) const;
-  double effective_mass(const PairGran &pair, int i, int j, const spherocylinder::Vec3 &arm_i,
-                        const spherocylinder::Vec3 &arm_j, const spherocylinder::Vec3 &normal) const;
   void separate(SurfacesIntersectData &sidata, ForceData &i_forces, ForceData &j_forces);
   void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
               ForceData &j_forces, int addflag) const;
@@ -126,8 +131,8 @@ void GranularSpherocylinder<ContactModel>::set_geometry(
   } else if (was_touching) {
     normal = load(side);
   } else {
-    const Vec3 u = segments_[sidata.i].axis;
-    normal = cross(u, segments_[sidata.j].axis);
+    const Vec3 u = rods_[sidata.i].segment.axis;
+    normal = cross(u, rods_[sidata.j].segment.axis);
     if (norm_squared(normal) == 0.0)
       normal = std::fabs(u.x) < 0.5 ? cross(u, Vec3{1.0, 0.0, 0.0}) : cross(u, Vec3{0.0, 1.0, 0.0});
     normal = (1.0 / norm(normal)) * normal;
@@ -140,22 +145,6 @@ void GranularSpherocylinder<ContactModel>::set_geometry(
   store(normal, sidata.en);
   store(distance * normal, sidata.delta);
   if (side && sidata.computeflag && sidata.shearupdate) store(normal, side);
-}
-
-template <typename ContactModel>
-double GranularSpherocylinder<ContactModel>::effective_mass(
-    const PairGran &pair, int i, int j, const spherocylinder::Vec3 &arm_i,
-    const spherocylinder::Vec3 &arm_j, const spherocylinder::Vec3 &normal) const
-{
-  using spherocylinder::inverse_effective_mass;
-  const int frozen = pair.freeze_group_bit();
-  const bool free_i = !(atom->mask[i] & frozen), free_j = !(atom->mask[j] & frozen);
-  double inverse = 0.0;
-  if (free_i || !free_j)
-    inverse += inverse_effective_mass(atom->rmass[i], atom->inertia[i][0], arm_i, normal);
-  if (free_j || !free_i)
-    inverse += inverse_effective_mass(atom->rmass[j], atom->inertia[j][0], arm_j, normal);
-  return 1.0 / inverse;
 }
 
 // A pair that no longer touches forgets its contact.
@@ -172,17 +161,20 @@ void GranularSpherocylinder<ContactModel>::separate(SurfacesIntersectData &sidat
 }
 
 template <typename ContactModel>
-void GranularSpherocylinder<ContactModel>::read_rods()
+void GranularSpherocylinder<ContactModel>::read_rods(int frozen_bit)
 {
+  using namespace spherocylinder;
   const int nall = atom->nlocal + atom->nghost;
-  segments_.resize(nall);
-  rod_radius_.resize(nall);
+  rods_.resize(nall);
+  motions_.resize(nall);
   for (int i = 0; i < nall; i++) {
     const double *shape = atom->shape[i];
-    segments_[i] = {spherocylinder::load(atom->x[i]),
-                    spherocylinder::axis_of(spherocylinder::load_quaternion(atom->quaternion[i])),
-                    shape[2] - shape[0]};
-    rod_radius_[i] = shape[0];
+    rods_[i] = {{load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
+                 shape[2] - shape[0]},
+                shape[0]};
+    const bool frozen = atom->mask[i] & frozen_bit;
+    motions_[i] = {load(atom->v[i]), load(atom->omega[i]),
+                   {frozen ? 0.0 : 1.0 / atom->rmass[i], frozen ? 0.0 : 1.0 / atom->inertia[i][0]}};
   }
 }
 
@@ -197,14 +189,14 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   else
     pair->evflag = pair->vflag_fdotr = 0;
 
-  double **v = atom->v, **omega = atom->omega, **f = atom->f, **torque = atom->torque;
+  double **f = atom->f, **torque = atom->torque;
   const int *type = atom->type;
   const int nlocal = atom->nlocal;
 
   int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
   double **first_history = pair->listgranhistory ? pair->listgranhistory->firstdouble : nullptr;
-  read_rods();
-  close_pairs_.update(*pair->list, first_flags, segments_, rod_radius_, neighbor->ago == 0);
+  read_rods(pair->freeze_group_bit());
+  close_pairs_.update(*pair->list, first_flags, rods_, neighbor->ago == 0);
 
   const int dnum = pair->dnum();
   const bool remember = side_offset_ >= 0;
@@ -222,34 +214,43 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
 
   for (const CloseRodPairs::Entry &entry : close_pairs_.entries()) {
     const int i = entry.i, j = entry.j;
-    const Segment &segment_i = segments_[i], &segment_j = segments_[j];
+    const Capsule &rod_i = rods_[i], &rod_j = rods_[j];
     sidata.contact_flags = first_flags ? &first_flags[i][entry.index] : nullptr;
     sidata.contact_history = first_history ? &first_history[i][dnum * entry.index] : nullptr;
     sidata.i = i;
     sidata.j = j;
 
-    const double reach = rod_radius_[i] + rod_radius_[j];
-    const ClosestPoints closest = closest_points(segment_i, segment_j);
+    const double reach = rod_i.radius + rod_j.radius;
+    if (lines_are_apart(rod_i.segment, rod_j.segment, reach)) {
+      separate(sidata, i_forces, j_forces);
+      continue;
+    }
+    const ClosestPoints closest = closest_points(rod_i.segment, rod_j.segment);
     if (closest.distance_squared >= reach * reach) {
       separate(sidata, i_forces, j_forces);
       continue;
     }
 
-    sidata.radi = rod_radius_[i];
-    sidata.radj = rod_radius_[j];
+    sidata.radi = rod_i.radius;
+    sidata.radj = rod_j.radius;
     sidata.radsum = reach;
     sidata.itype = type[i];
     sidata.jtype = type[j];
     sidata.mi = atom->rmass[i];
     sidata.mj = atom->rmass[j];
-    sidata.omega_i = omega[i];
-    sidata.omega_j = omega[j];
+    sidata.omega_i = atom->omega[i];
+    sidata.omega_j = atom->omega[j];
     set_geometry(sidata, closest, remember);
 
-    const Vec3 arm_i = closest.s * segment_i.axis, arm_j = closest.t * segment_j.axis;
-    store(velocity_at(load(v[i]), load(omega[i]), arm_i), velocity_i);
-    store(velocity_at(load(v[j]), load(omega[j]), arm_j), velocity_j);
-    sidata.meff = effective_mass(*pair, i, j, arm_i, arm_j, load(sidata.en));
+    const Motion &motion_i = motions_[i], &motion_j = motions_[j];
+    const Vec3 arm_i = closest.s * rod_i.segment.axis, arm_j = closest.t * rod_j.segment.axis;
+    const Vec3 normal = load(sidata.en);
+    store(velocity_at(motion_i.velocity, motion_i.omega, arm_i), velocity_i);
+    store(velocity_at(motion_j.velocity, motion_j.omega, arm_j), velocity_j);
+    const double inverse_mass = inverse_effective_mass(motion_i.inverse, arm_i, normal) +
+                                inverse_effective_mass(motion_j.inverse, arm_j, normal);
+    if (inverse_mass == 0.0) continue;  // both frozen: nothing to move
+    sidata.meff = 1.0 / inverse_mass;
 
     i_forces.reset();
     j_forces.reset();

@@ -76,95 +76,98 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
   ContactModel models_[2];  // one an end
   ContactMonitor monitor_;
 
-  // Where an end sphere is relative to the wall.
-  struct EndContact {
-    double distance;               // of its centre from the wall's surface, negative once through
-    spherocylinder::Vec3 normal;   // from the wall to the rod's side of it
-  };
-
-  // The rod's centre relative to the wall: tells which side of the wall the rod is on.
-  struct Side {
-    spherocylinder::Vec3 to_wall;  // from the rod's centre to the nearest point of the wall
-    spherocylinder::Vec3 radial;   // cylinders: from the cylinder's axis to the rod's centre
+  // The wall as the rod's centre sees it.
+  struct Surface {
     bool is_cylinder;
+    double distance;              // of the rod's centre from a plane, or the cylinder's radius (m)
+    spherocylinder::Vec3 normal;  // of a plane, towards the rod's centre
+  };
+  // An end sphere against it.
+  struct EndContact {
+    double distance;              // of the end from the surface, negative once it is through (m)
+    spherocylinder::Vec3 normal;  // unit, from the wall to the rod's side of it
+    spherocylinder::Vec3 radial;  // cylinders: from the cylinder's axis to the end (m)
   };
 
-  Side side_of(PrimitiveWall &wall, int i) const;
-  bool touches(PrimitiveWall &wall, const Side &side, spherocylinder::Vec3 end, double radius,
-               EndContact &contact) const;
-  spherocylinder::Vec3 wall_velocity(const Side &side, PrimitiveWall &wall,
-                                     const spherocylinder::Vec3 &end, const double *vwall) const;
+  bool find_surface(PrimitiveWall &wall, int i, const spherocylinder::Vec3 &arm,
+                    Surface &surface) const;
+  EndContact end_contact(PrimitiveWall &wall, const Surface &surface,
+                         const spherocylinder::Vec3 &centre,
+                         const spherocylinder::Vec3 &arm) const;
+  spherocylinder::Vec3 wall_velocity(const Surface &surface, const EndContact &contact,
+                                     const double *vwall) const;
   void report(FixWallGran &wall, const SurfacesIntersectData &sidata, const ForceData &total,
               double normal_force) const;
 };
 
+// False if no side of the wall can be told to be the rod's: its centre lies in the plane, or it
+// stands on the cylinder's axis, where it touches nothing. `arm` reaches to one of its ends.
 template <typename ContactModel>
-typename GranularSpherocylinder<ContactModel>::Side
-GranularSpherocylinder<ContactModel>::side_of(PrimitiveWall &wall, int i) const
+bool GranularSpherocylinder<ContactModel>::find_surface(PrimitiveWall &wall, int i,
+                                                        const spherocylinder::Vec3 &arm,
+                                                        Surface &surface) const
 {
   using namespace spherocylinder;
-  double to_wall[3] = {}, radial[3] = {};
-  wall.resolveContact(atom->x[i], 0.0, to_wall);
-  const bool is_cylinder = wall.axis() >= 0;
-  if (is_cylinder) wall.calcRadialDistance(atom->x[i], radial);
-  const Side side = {load(to_wall), load(radial), is_cylinder};
-  if (is_cylinder && dot(side.to_wall, side.radial) < 0.0)
+  double to_wall[3] = {}, radial[3] = {}, point[3];
+  surface.is_cylinder = wall.axis() >= 0;
+  if (!surface.is_cylinder) {
+    wall.resolveContact(atom->x[i], 0.0, to_wall);
+    surface.distance = norm(load(to_wall));
+    if (surface.distance == 0.0) return false;
+    surface.normal = (-1.0 / surface.distance) * load(to_wall);
+    return true;
+  }
+
+  // LIGGGHTS gives the way to the nearest point of the cylinder; its radius follows from that at
+  // any point off the axis: the rod's centre, else its end.
+  store(load(atom->x[i]), point);
+  if (wall.calcRadialDistance(point, radial) == 0.0) {
+    store(load(atom->x[i]) + arm, point);
+    if (wall.calcRadialDistance(point, radial) == 0.0) return false;
+  }
+  wall.resolveContact(point, 0.0, to_wall);
+  surface.distance = norm(load(radial) + load(to_wall));
+  wall.calcRadialDistance(atom->x[i], radial);
+  if (norm(load(radial)) > surface.distance)
     rod_error_one(lmp,
-                  "Fix wall/gran (id %s): rod %d touches the cylinder from outside at step "
-                  BIGINT_FORMAT "; rods know planes and the inside of cylinders only",
+                  "Fix wall/gran (id %s): rod %d is outside the cylinder at step " BIGINT_FORMAT
+                  "; rods know planes and the inside of cylinders only",
                   parent_->id, atom->tag[i], update->ntimestep);
-  return side;
+  return true;
 }
 
-// An end that is through the wall while the rod's centre is not is still pushed to the rod's side.
+// An end that is through the wall while the rod's centre is not is pushed to the rod's side.
 template <typename ContactModel>
-bool GranularSpherocylinder<ContactModel>::touches(PrimitiveWall &wall, const Side &side,
-                                                   spherocylinder::Vec3 end, double radius,
-                                                   EndContact &contact) const
+typename GranularSpherocylinder<ContactModel>::EndContact
+GranularSpherocylinder<ContactModel>::end_contact(PrimitiveWall &wall, const Surface &surface,
+                                                  const spherocylinder::Vec3 &centre,
+                                                  const spherocylinder::Vec3 &arm) const
 {
   using namespace spherocylinder;
-  double point[3], delta[3] = {};
-  store(end, point);
-  wall.resolveContact(point, 0.0, delta);
-  const Vec3 to_wall = load(delta);
-  const double distance = norm(to_wall);
+  if (!surface.is_cylinder)
+    return {surface.distance + dot(arm, surface.normal), surface.normal, Vec3{0.0, 0.0, 0.0}};
 
-  if (!side.is_cylinder) {
-    const bool through = dot(to_wall, side.to_wall) < 0.0;
-    contact.distance = through ? -distance : distance;
-    // At a distance of zero the rod's side is all that is known.
-    const Vec3 away = distance == 0.0 ? -side.to_wall : through ? to_wall : -to_wall;
-    const double length = norm(away);
-    if (length == 0.0) return false;  // the rod lies in the plane: neither side is its own
-    contact.normal = (1.0 / length) * away;
-  } else {
-    double radial[3];
-    const double from_axis = wall.calcRadialDistance(point, radial);
-    if (from_axis == 0.0) return false;  // on the cylinder's axis
-    const bool through = dot(to_wall, load(radial)) < 0.0;
-    contact.distance = through ? -distance : distance;
-    contact.normal = (-1.0 / from_axis) * load(radial);
-  }
-  return contact.distance <= radius;
+  double point[3], radial[3];
+  store(centre + arm, point);
+  const double from_axis = wall.calcRadialDistance(point, radial);
+  if (from_axis == 0.0) return {surface.distance, Vec3{0.0, 0.0, 0.0}, Vec3{0.0, 0.0, 0.0}};
+  return {surface.distance - from_axis, (-1.0 / from_axis) * load(radial), load(radial)};
 }
 
 // vwall is the velocity LIGGGHTS worked out at the rod's centre. A wall that turns about its
 // cylinder's axis moves in proportion to the distance from that axis.
 template <typename ContactModel>
 spherocylinder::Vec3 GranularSpherocylinder<ContactModel>::wall_velocity(
-    const Side &side, PrimitiveWall &wall, const spherocylinder::Vec3 &end,
-    const double *vwall) const
+    const Surface &surface, const EndContact &contact, const double *vwall) const
 {
   using namespace spherocylinder;
   struct Access : FixWallGran {  // names FixWallGran's protected shear settings
     static int axis(FixWallGran &fix) { return fix.*(&Access::shearAxis_); }
     static const double *rate(FixWallGran &fix) { return fix.*(&Access::shearAxisVec_); }
   };
-  if (!side.is_cylinder || !parent_->is_moving() || Access::axis(*parent_) < 0) return load(vwall);
-  double point[3], radial[3];
-  store(end, point);
-  wall.calcRadialDistance(point, radial);
-  return cross(load(Access::rate(*parent_)), load(radial));
+  if (!surface.is_cylinder || !parent_->is_moving() || Access::axis(*parent_) < 0)
+    return load(vwall);
+  return cross(load(Access::rate(*parent_)), contact.radial);
 }
 
 template <typename ContactModel>
@@ -176,9 +179,11 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
   using namespace spherocylinder;
   const int i = sidata.i;
   PrimitiveWall &primitive = *wall->primitiveWall();
-  const Side side = side_of(primitive, i);
   const Vec3 centre = load(atom->x[i]), axis = axis_of(load_quaternion(atom->quaternion[i]));
   const double radius = atom->shape[i][0], half_length = atom->shape[i][2] - radius;
+
+  Surface surface;
+  if (!find_surface(primitive, i, half_length * axis, surface)) return;
 
   double end_velocity[3], end_wall_velocity[3];
   sidata.v_i = end_velocity;
@@ -200,10 +205,9 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
   const int ends = half_length > 0.0 ? 2 : 1;
   for (int k = 0; k < ends; k++) {
     const Vec3 arm = (k == 0 ? -half_length : half_length) * axis;
-    const Vec3 end = centre + arm;
     ForceData i_forces, j_forces;
-    EndContact contact;
-    if (!touches(primitive, side, end, radius, contact)) {
+    const EndContact contact = end_contact(primitive, surface, centre, arm);
+    if (contact.distance > radius) {
       if (sidata.contact_history) models_[k].surfacesClose(sidata, i_forces, j_forces);
       continue;
     }
@@ -216,7 +220,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     sidata.meff = 1.0 / inverse_effective_mass(atom->rmass[i], atom->inertia[i][0], arm,
                                                contact.normal);
     store(velocity_at(load(atom->v[i]), load(atom->omega[i]), arm), end_velocity);
-    store(wall_velocity(side, primitive, end, vwall), end_wall_velocity);
+    store(wall_velocity(surface, contact, vwall), end_wall_velocity);
 
     models_[k].surfacesIntersect(sidata, i_forces, j_forces);
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
