@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pictures/bed_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkFloatArray.h>
+#include <vtkImageShrink3D.h>
+#include <vtkLight.h>
+#include <vtkLineSource.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkWindowToImageFilter.h>
+
+#include "analysis/input_error.h"
+#include "pictures/annotation.h"
+#include "pictures/colour_map.h"
+#include "pictures/rod_surface.h"
+#include "pictures/vessel_surface.h"
+
+namespace spherocylinder {
+namespace {
+
+// The picture is drawn this many times larger each way and averaged down: smooth edges whatever
+// the graphics driver can do.
+constexpr int oversampling = 2;
+
+// Part of the picture left for rods and vessel; the rest holds bars and caption.
+struct Layout {
+  double left = 0.03, right = 0.83, bottom = 0.13, top = 0.97;
+};
+
+struct ViewFrame {
+  Vec3 right, up, towards;  // unit, orthogonal; `towards` the viewer
+};
+
+ViewFrame frame_of(View view)
+{
+  if (view == View::side) return {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+  if (view == View::top) return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const double turn = 0.44, lift = 0.44;  // rad, 25 degrees
+  const Vec3 right{std::cos(turn), std::sin(turn), 0.0};
+  const Vec3 front{std::sin(turn), -std::cos(turn), 0.0};
+  const Vec3 towards = std::cos(lift) * front + std::sin(lift) * Vec3{0, 0, 1};
+  return {right, cross(towards, right), towards};
+}
+
+// Bounding box of what is to be seen, along the picture's own directions.
+struct Extent {
+  double low[3], high[3];  // right, up, towards
+
+  Extent()
+  {
+    std::fill(low, low + 3, std::numeric_limits<double>::infinity());
+    std::fill(high, high + 3, -std::numeric_limits<double>::infinity());
+  }
+
+  void include(const ViewFrame &frame, const Vec3 &point, double radius)
+  {
+    const double along[3] = {dot(point, frame.right), dot(point, frame.up),
+                             dot(point, frame.towards)};
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], along[i] - radius);
+      high[i] = std::max(high[i], along[i] + radius);
+    }
+  }
+
+  double size(int i) const { return high[i] - low[i]; }
+  double middle(int i) const { return 0.5 * (low[i] + high[i]); }
+};
+
+Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options,
+                 const ViewFrame &frame)
+{
+  Extent extent;
+  for (const Rod &rod : rods)
+    for (const double side : {-1.0, 1.0})
+      extent.include(frame, rod.capsule.segment.at(side * rod.capsule.segment.half_length),
+                     rod.capsule.radius);
+  if (!options.vessel) return extent;
+  for (const double z : {options.vessel->z_low, options.vessel->z_high}) {
+    const auto ring = vessel_ring(*options.vessel, z);
+    for (vtkIdType i = 0; i < ring->GetNumberOfPoints(); ++i)
+      extent.include(frame, load(ring->GetPoint(i)), 0.0);
+  }
+  return extent;
+}
+
+vtkSmartPointer<vtkActor> add_surface(vtkRenderer *renderer, vtkPolyData *mesh)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  return actor;
+}
+
+void add_rods(vtkRenderer *renderer, const std::vector<Rod> &rods, const RodQuantity &colour,
+              vtkLookupTable *colours, int resolution)
+{
+  const RodGeometry geometry = rod_surfaces(rods, resolution);
+  vtkNew<vtkFloatArray> numbers;
+  numbers->SetNumberOfValues(static_cast<vtkIdType>(geometry.rod_of_point.size()));
+  for (std::size_t i = 0; i < geometry.rod_of_point.size(); ++i)
+    numbers->SetValue(static_cast<vtkIdType>(i),
+                      static_cast<float>(colour.values[geometry.rod_of_point[i]]));
+  geometry.mesh->GetPointData()->SetScalars(numbers);
+
+  const auto actor = add_surface(renderer, geometry.mesh);
+  actor->GetMapper()->ScalarVisibilityOn();
+  actor->GetMapper()->SetLookupTable(colours);
+  actor->GetMapper()->UseLookupTableScalarRangeOn();
+  actor->GetProperty()->SetInterpolationToPhong();
+  actor->GetProperty()->SetAmbient(0.3);
+  actor->GetProperty()->SetDiffuse(0.9);
+  actor->GetProperty()->SetSpecular(0.35);
+  actor->GetProperty()->SetSpecularPower(40.0);
+}
+
+void add_line(vtkRenderer *renderer, vtkPolyData *line, const Ink &ink, double width)
+{
+  const auto actor = add_surface(renderer, line);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(ink.red, ink.green, ink.blue);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(oversampling * width));
+}
+
+// The half of the wall behind the rods, the floor, the two rings and the outline's two uprights.
+void add_vessel(vtkRenderer *renderer, const UprightCylinder &vessel, const ViewFrame &frame,
+                const Ink &ink)
+{
+  const bool from_above = frame.towards.z == 1.0;
+  const double pi = std::acos(-1.0);
+  WallArc back;
+  if (!from_above) {
+    back.begin = std::atan2(frame.towards.y, frame.towards.x) + 0.5 * pi;
+    back.span = pi;
+  }
+  for (const auto &[mesh, opacity] :
+       {std::pair{vessel_wall(vessel, back), 0.18}, std::pair{vessel_floor(vessel), 0.35}}) {
+    const auto actor = add_surface(renderer, mesh);
+    actor->GetProperty()->SetColor(0.55, 0.63, 0.72);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetOpacity(opacity);
+  }
+  for (const double z : {vessel.z_low, vessel.z_high})
+    add_line(renderer, vessel_ring(vessel, z), ink, 1.2);
+  if (from_above) return;
+  for (const double side : {-vessel.radius, vessel.radius}) {
+    const Vec3 foot = Vec3{vessel.x, vessel.y, 0.0} + side * frame.right;
+    vtkNew<vtkLineSource> upright;
+    upright->SetPoint1(foot.x, foot.y, vessel.z_low);
+    upright->SetPoint2(foot.x, foot.y, vessel.z_high);
+    upright->Update();
+    add_line(renderer, upright->GetOutput(), ink, 1.2);
+  }
+}
+
+// A key light from the upper left and a weak one from the right, fixed to the camera.
+void add_lights(vtkRenderer *renderer)
+{
+  struct Lamp {
+    double x, y, z, intensity;
+  };
+  renderer->RemoveAllLights();
+  renderer->AutomaticLightCreationOff();
+  for (const Lamp &lamp : {Lamp{-0.6, 0.9, 1.0, 0.85}, Lamp{1.0, 0.2, 0.6, 0.3}}) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(lamp.x, lamp.y, lamp.z);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(lamp.intensity);
+    renderer->AddLight(light);
+  }
+}
+
+// Points the camera so that the extent fills its part of the picture; returns the width of the
+// whole picture in metres.
+double aim_camera(vtkRenderer *renderer, const ViewFrame &frame, const Extent &extent,
+                  const Layout &layout, double aspect)
+{
+  const double picture_height = std::max(extent.size(1) / (layout.top - layout.bottom),
+                                         extent.size(0) / ((layout.right - layout.left) * aspect));
+  const double picture_width = picture_height * aspect;
+  const double x = extent.middle(0) - (0.5 * (layout.left + layout.right) - 0.5) * picture_width;
+  const double y = extent.middle(1) - (0.5 * (layout.bottom + layout.top) - 0.5) * picture_height;
+  const Vec3 focus = x * frame.right + y * frame.up + extent.middle(2) * frame.towards;
+  const Vec3 eye = focus + (extent.size(2) + picture_width) * frame.towards;
+
+  vtkCamera *camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(focus.x, focus.y, focus.z);
+  camera->SetPosition(eye.x, eye.y, eye.z);
+  camera->SetViewUp(frame.up.x, frame.up.y, frame.up.z);
+  camera->SetParallelScale(0.5 * picture_height);
+  renderer->ResetCameraClippingRange();
+  return picture_width;
+}
+
+void add_annotation(vtkRenderer *renderer, const PictureOptions &options, const Layout &layout,
+                    double picture_width, vtkScalarBarActor *colours, const Ink &ink)
+{
+  const double length = round_length(0.25 * picture_width);
+  const double line = 1.0 / options.height;  // one pixel
+  renderer->AddActor2D(bar(layout.left, 0.065, length / picture_width, 4.0 * line, ink));
+  renderer->AddActor2D(text(length_label(length), layout.left, 0.065 + 8.0 * line, ink));
+  renderer->AddActor2D(text(options.caption, layout.left, 0.02, ink));
+  renderer->AddActor2D(colours);
+}
+
+void write_png(vtkRenderWindow *window, const std::string &path)
+{
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(grab->GetOutputPort());
+  shrink->SetShrinkFactors(oversampling, oversampling, 1);
+  shrink->AveragingOn();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(shrink->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+    throw InputError(fmt::format("{}: the picture could not be written", path));
+}
+
+}  // namespace
+
+void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
+                       const RodQuantity &colour, const PictureOptions &options)
+{
+  const Layout layout;
+  const ViewFrame frame = frame_of(options.view);
+  const Extent extent = extent_of(rods, options, frame);
+  const Ink ink = ink_for(options.background, oversampling * std::max(options.height / 45, 10));
+  const RoundRange range = round_range(colour.low, colour.high);
+  const auto colours = viridis(range.low, range.high);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(options.background[0], options.background[1], options.background[2]);
+  add_rods(renderer, rods, colour, colours, options.resolution);
+  if (options.vessel) add_vessel(renderer, *options.vessel, frame, ink);
+  add_lights(renderer);
+
+  // Ambient occlusion darkens the gaps between rods, which tells near from far in a bed.
+  const double thickness = 2.0 * rods.front().capsule.radius;
+  renderer->UseSSAOOn();
+  renderer->SetSSAORadius(5.0 * thickness);
+  renderer->SetSSAOBias(0.05 * thickness);
+  renderer->SetSSAOKernelSize(32);
+  renderer->SSAOBlurOn();
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(oversampling * options.width, oversampling * options.height);
+  window->AddRenderer(renderer);
+  const double picture_width = aim_camera(renderer, frame, extent, layout,
+                                          static_cast<double>(options.width) / options.height);
+  add_annotation(renderer, options, layout, picture_width,
+                 colour_bar(colours, colour.title, range.labels, ink), ink);
+  window->Render();
+  write_png(window, path);
+}
+
+}  // namespace spherocylinder

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A picture of a bed of rods, drawn off-screen. Needs an X display (see pictures/display.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/clipped_volume.h"
+#include "analysis/rod_quantity.h"
+#include "analysis/rods.h"
+
+namespace spherocylinder {
+
+enum class View {
+  side,     // along +y, level
+  top,      // straight down, x to the right
+  oblique,  // from the front right, 25 degrees above the horizontal
+};
+
+struct PictureOptions {
+  int width = 1200, height = 900;  // pixels
+  View view = View::oblique;
+  double background[3] = {1.0, 1.0, 1.0};
+  std::optional<UprightCylinder> vessel;  // as much of it as is to be drawn
+  std::string caption;
+  int resolution = 16;  // corners around a rod
+};
+
+// Parallel projection, so that the scale bar holds everywhere; the part in front of the rods is
+// cut off the vessel's wall. Writes a PNG; throws InputError if the file cannot be written.
+void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
+                       const RodQuantity &colour, const PictureOptions &options);
+
+}  // namespace spherocylinder

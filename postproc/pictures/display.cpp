@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pictures/display.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <X11/Xlib.h>
+#include <unistd.h>
+
+#include "analysis/input_error.h"
+
+namespace spherocylinder {
+namespace {
+
+constexpr const char *restarted = "SPHEROCYLINDER_RESTARTED_UNDER_XVFB";
+
+bool display_answers()
+{
+  Display *display = XOpenDisplay(nullptr);
+  if (display != nullptr) XCloseDisplay(display);
+  return display != nullptr;
+}
+
+bool on_path(const std::string &program)
+{
+  const char *path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
+  return false;
+}
+
+}  // namespace
+
+void need_display(char **argv)
+{
+  if (display_answers()) return;
+  for (const char *program : {"xvfb-run", "Xvfb", "xauth"})
+    if (!on_path(program))
+      throw InputError(std::string("no X display can be reached and the program ") + program +
+                       " is not installed, wanted either (Debian packages xvfb and xauth)");
+  if (std::getenv(restarted) != nullptr)
+    throw InputError("no X display can be reached, not even under xvfb-run");
+  setenv(restarted, "1", 1);
+
+  // The file itself, since argv[0] need not lead to it.
+  std::string self = std::filesystem::read_symlink("/proc/self/exe");
+  std::vector<char *> arguments;
+  std::string words[] = {"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", self};
+  for (std::string &word : words) arguments.push_back(word.data());
+  for (char **argument = argv + 1; *argument != nullptr; ++argument) arguments.push_back(*argument);
+  arguments.push_back(nullptr);
+  execvp("xvfb-run", arguments.data());
+  throw InputError("no X display can be reached and xvfb-run could not be started");
+}
+
+}  // namespace spherocylinder

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// VTK aborts the process if it cannot reach an X display, even to draw off-screen.
+#pragma once
+
+namespace spherocylinder {
+
+// Returns if an X display can be reached. Otherwise starts this program again, with the same
+// arguments, under xvfb-run (a display without a screen) and does not return. Throws InputError if
+// that is not installed or does not help.
+void need_display(char **argv);
+
+}  // namespace spherocylinder

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The numbers that go to ParaView with the rods.
+#pragma once
+
+#include <vector>
+
+#include "analysis/dump_frame.h"
+#include "pictures/rod_surface.h"
+
+namespace spherocylinder {
+
+// Adds to each cell of the mesh its rod's id, type, elevation_deg, length, diameter, axis, speed
+// and omega (magnitudes, if the dump has the vectors), and every column of the dump by its own name
+// that is not said by these. Points get `radius`, for a tube filter on lines.
+void attach_rod_data(const RodGeometry &geometry, const DumpFrame &frame,
+                     const std::vector<Rod> &rods);
+
+}  // namespace spherocylinder

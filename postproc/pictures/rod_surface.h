@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rods as VTK geometry. Space frame, metres.
+#pragma once
+
+#include <vector>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "analysis/rods.h"
+
+namespace spherocylinder {
+
+struct RodGeometry {
+  vtkSmartPointer<vtkPolyData> mesh;
+  std::vector<vtkIdType> rod_of_point;  // index into the rods
+  std::vector<vtkIdType> rod_of_cell;
+};
+
+// Every rod as a closed surface of triangles with normals, `resolution` corners around (>= 8).
+RodGeometry rod_surfaces(const std::vector<Rod> &rods, int resolution);
+
+// Every rod as one line between the centres of its ends, a sphere as one vertex.
+RodGeometry rod_lines(const std::vector<Rod> &rods);
+
+}  // namespace spherocylinder

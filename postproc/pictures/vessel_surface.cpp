@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pictures/vessel_surface.h"
+
+#include <cmath>
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+
+namespace spherocylinder {
+namespace {
+
+constexpr int facets = 180;  // of a whole turn; a chord leaves the circle by 1.5e-4 of its radius
+
+vtkIdType add_point(vtkPoints *points, const UprightCylinder &vessel, double angle, double z)
+{
+  return points->InsertNextPoint(vessel.x + vessel.radius * std::cos(angle),
+                                 vessel.y + vessel.radius * std::sin(angle), z);
+}
+
+double angle_of(int i, const WallArc &arc) { return arc.begin + arc.span * i / facets; }
+
+vtkSmartPointer<vtkPolyData> poly_data(vtkPoints *points)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> vessel_wall(const UprightCylinder &vessel, const WallArc &arc)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  for (int i = 0; i <= facets; ++i) {
+    add_point(points, vessel, angle_of(i, arc), vessel.z_low);
+    add_point(points, vessel, angle_of(i, arc), vessel.z_high);
+  }
+  for (vtkIdType i = 0; i < facets; ++i) {
+    const vtkIdType corners[4] = {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1};
+    quads->InsertNextCell(4, corners);
+  }
+  auto data = poly_data(points);
+  data->SetPolys(quads);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> vessel_floor(const UprightCylinder &vessel)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> disc;
+  disc->InsertNextCell(facets);
+  for (int i = 0; i < facets; ++i)
+    disc->InsertCellPoint(add_point(points, vessel, angle_of(i, {}), vessel.z_low));
+  auto data = poly_data(points);
+  data->SetPolys(disc);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> vessel_ring(const UprightCylinder &vessel, double z)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(facets + 1);
+  for (int i = 0; i <= facets; ++i)
+    line->InsertCellPoint(add_point(points, vessel, angle_of(i, {}), z));
+  auto data = poly_data(points);
+  data->SetLines(line);
+  return data;
+}
+
+}  // namespace spherocylinder

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// rod_vtk: rods of a dump as VTK poly data for ParaView. docs/rod_vtk.md
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "analysis/command_line.h"
+#include "analysis/frame_choice.h"
+#include "analysis/input_error.h"
+#include "pictures/rod_data.h"
+#include "pictures/rod_surface.h"
+#include "pictures/time_series.h"
+#include "pictures/vessel_surface.h"
+
+using namespace spherocylinder;
+
+namespace {
+
+struct Options {
+  InputOptions input{"", "all"};
+  std::string out = "rods";
+  std::string geometry = "capsules";
+  int resolution = 12;
+  std::vector<double> centre{0.0, 0.0};
+  std::optional<double> vessel_radius, vessel_height, timestep;
+  double floor = 0.0;
+};
+
+double time_of(const DumpFrame &frame, const Options &options)
+{
+  if (frame.time) return *frame.time;
+  return static_cast<double>(frame.step) * options.timestep.value_or(1.0);
+}
+
+void write_vessel(const Options &options)
+{
+  const UprightCylinder vessel{options.centre[0], options.centre[1], *options.vessel_radius,
+                               options.floor, options.floor + *options.vessel_height};
+  write_poly_data(options.out + "_vessel.vtp", vessel_wall(vessel));
+}
+
+void run(const Options &options)
+{
+  if (options.vessel_radius.has_value() != options.vessel_height.has_value())
+    throw InputError("--vessel-radius, --vessel-height: must be given together (got one of them)");
+  const FrameChoice choice = parse_frame_choice(options.input.frame);
+  TimeSeries series(options.out + ".pvd");
+  for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
+    const std::vector<Rod> rods = rods_of(frame);
+    const RodGeometry geometry =
+        options.geometry == "lines" ? rod_lines(rods) : rod_surfaces(rods, options.resolution);
+    attach_rod_data(geometry, frame, rods);
+    const std::string file = fmt::format("{}_{:010}.vtp", options.out, frame.step);
+    if (series.has(file))
+      throw InputError(
+          fmt::format("{}: step {} appears twice, wanted each step once", frame.path, frame.step));
+    write_poly_data(file, geometry.mesh);
+    series.add(time_of(frame, options), file);
+  });
+  series.write();
+  if (options.vessel_radius) write_vessel(options);
+  fmt::print("{} frames, open {}.pvd in ParaView\n", series.size(), options.out);
+}
+
+}  // namespace
+
+int main(int argc, char **argv)
+{
+  Options options;
+  CLI::App app("Rods of a dump as VTK files (.vtp, and .pvd for the series) for ParaView.",
+               "rod_vtk");
+  app.footer("Example: rod_vtk bed.dump --out vtk/bed --geometry capsules --timestep 2e-5");
+  add_input_options(app, options.input);
+  app.add_option("--out", options.out, "PREFIX of the files to write")->capture_default_str();
+  app.add_option("--geometry", options.geometry, "capsules (triangles) or lines")
+      ->check(CLI::IsMember({"capsules", "lines"}))
+      ->capture_default_str();
+  app.add_option("--resolution", options.resolution, "corners around a capsule")
+      ->check(CLI::Range(8, 200))
+      ->capture_default_str();
+  app.add_option("--timestep", options.timestep,
+                 "seconds a step, so that the series has times, not steps")
+      ->check(positive_number());
+  app.add_option("--vessel-radius", options.vessel_radius,
+                 "also write PREFIX_vessel.vtp, a wall of this radius (m)")
+      ->check(positive_number());
+  app.add_option("--vessel-height", options.vessel_height, "height of that wall (m)")
+      ->check(positive_number());
+  app.add_option("--floor", options.floor, "height Z of the vessel's floor (m)")
+      ->check(finite_number())
+      ->capture_default_str();
+  app.add_option("--centre,--center", options.centre, "X Y of the vessel's axis (m)")
+      ->expected(2)
+      ->check(finite_number())
+      ->capture_default_str();
+  return run_tool(app, argc, argv, [&] { run(options); });
+}
