@@ -24,13 +24,20 @@ struct ClosestPoints {
 ClosestPoints closest_points(const Segment &i, const Segment &j);
 
 // True if the segments are certainly farther apart than `reach`: the distance of the infinite
-// lines, |between . n| / |n| with n = u x v, is a lower bound. Cheap; false for most near pairs and
-// for all parallel ones.
+// lines, |between . n| / |n| with n = u x v, is a lower bound. Cheap; never true for a pair nearer
+// than `reach`, and hardly ever for (nearly) parallel ones.
+//
+// Each component of n is off by up to two epsilon, whatever |n|: for parallel rods that is all there
+// is of it, pointing anywhere. With m = 4 epsilon (|between| + reach) the test must not be passed
+// before |along| > reach |n| + m, of which 1.01 (reach |n|)^2 + 101 m^2 is an upper bound squared.
 inline bool lines_are_apart(const Segment &i, const Segment &j, double reach)
 {
+  constexpr double kRounding = 202.0 * (4.0 * 2.3e-16) * (4.0 * 2.3e-16);  // 2 x 101 (m/length)^2
   const Vec3 normal = cross(i.axis, j.axis);
-  const double along = dot(j.centre - i.centre, normal);
-  return along * along > reach * reach * norm_squared(normal);
+  const Vec3 between = j.centre - i.centre;
+  const double along = dot(between, normal);
+  return along * along > 1.01 * reach * reach * norm_squared(normal) +
+                             kRounding * (norm_squared(between) + reach * reach);
 }
 
 // Position on the segment nearest to a point, signed distance from the segment's centre.

@@ -332,8 +332,26 @@ TEST_P(ClosestPointsOf, RigidMotionKeepsDistance)
   EXPECT_LE(worst * kEpsilon, 3.0 * kRoundOff);
 }
 
+// The cheap test may miss, but never call a pair apart that is nearer than the reach.
+TEST_P(ClosestPointsOf, LinesAreNotApartWithinReach)
+{
+  for (int k = 0; k < 100000; ++k) {
+    const Pair pair = next();
+    const double reach = distance(pair.i, pair.j) + kRoundOff * scale_of(pair);
+    ASSERT_FALSE(lines_are_apart(pair.i, pair.j, reach * random_.uniform(1.0, 1.001)));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Poses, ClosestPointsOf, testing::ValuesIn(kFamilies),
                          [](const auto &info) { return std::string(info.param.name); });
+
+// Closed form: crossed at right angles, 2 apart.
+TEST(LinesAreApart, SeesCrossedLines)
+{
+  const Segment i{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 5.0}, j{{0.0, 0.0, 2.0}, {0.0, 1.0, 0.0}, 5.0};
+  EXPECT_TRUE(lines_are_apart(i, j, 1.9));
+  EXPECT_FALSE(lines_are_apart(i, j, 2.1));
+}
 
 // Closed form: two segments of zero length are points, |c_i - c_j|, to the last bit.
 TEST(ClosestPoints, ZeroLengthsAreSpheres)
