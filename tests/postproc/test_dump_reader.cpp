@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "analysis/dump_reader.h"
+#include "analysis/frame_choice.h"
+#include "analysis/input_error.h"
+#include "analysis/rod_quantity.h"
+#include "analysis/rods.h"
+#include "scratch_folder.h"
+#include "test_bed.h"
+
+namespace spherocylinder {
+namespace {
+
+const std::string header =
+    "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n-1 1\n-1 1\n0 10\n";
+const std::string columns =
+    "ITEM: ATOMS id type x y z shapex shapey shapez quat1 quat2 quat3 quat4 \n";
+const std::string row1 = "1 1 0 0 0.5 0.01 0.01 0.1 1 0 0 0 \n";
+const std::string row2 = "2 3 0.1 0.2 0.3 0.01 0.01 0.1 0.707107 0 0.707107 0 \n";
+
+class DumpReaderTest : public ScratchFolder {
+ protected:
+  DumpFrame frame_of(const std::string &text)
+  {
+    DumpReader reader(write("a.dump", text));
+    DumpFrame frame;
+    EXPECT_TRUE(reader.next(frame));
+    return frame;
+  }
+
+  std::vector<Rod> rods(const std::string &text) { return rods_of(frame_of(text)); }
+
+  // The sentence of the error that reading all of the text gives.
+  std::string error(const std::string &text)
+  {
+    try {
+      DumpReader reader(write("a.dump", text));
+      DumpFrame frame;
+      while (reader.next(frame)) rods_of(frame);
+    } catch (const InputError &error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  void expect_error(const std::string &text, const std::string &line, const std::string &what)
+  {
+    const std::string found = error(text);
+    EXPECT_NE(found.find("a.dump" + line), std::string::npos) << found;
+    EXPECT_NE(found.find(what), std::string::npos) << found;
+    EXPECT_EQ(found.find('\n'), std::string::npos) << found;
+  }
+};
+
+TEST_F(DumpReaderTest, ReadsRods)
+{
+  const auto found = rods(header + columns + row1 + row2);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].id, 1);
+  EXPECT_EQ(found[1].type, 3);
+  EXPECT_EQ(found[1].capsule.segment.centre.y, 0.2);
+  EXPECT_DOUBLE_EQ(found[1].capsule.segment.half_length, 0.09);  // shapez - shapex
+  EXPECT_EQ(found[1].capsule.radius, 0.01);
+  EXPECT_NEAR(found[0].capsule.segment.axis.z, 1.0, 1e-15);  // no turn: the axis is z
+  EXPECT_NEAR(found[1].capsule.segment.axis.x, 1.0, 1e-15);  // 90 degrees about y: z becomes x
+}
+
+TEST_F(DumpReaderTest, ColumnsInAnyOrderAndExtraOnes)
+{
+  const DumpFrame frame = frame_of(header +
+                               "ITEM: ATOMS quat4 c_contacts element z y x shapez quat1 quat3 "
+                               "quat2 shapex id\n0 4 Al 3 2 1 0.1 1 0 0 0.01 5\n"
+                               "0 6 Fe 3 2 1 0.1 1 0 0 0.01 6\n");
+  const auto found = rods_of(frame);
+  EXPECT_EQ(found[0].capsule.segment.centre.x, 1.0);
+  EXPECT_EQ(found[0].id, 5);
+  EXPECT_EQ(found[0].type, 1);
+  EXPECT_EQ(frame.value(1, *frame.find_column("c_contacts")), 6.0);
+  EXPECT_FALSE(frame.find_column("element"));
+  EXPECT_EQ(rod_quantity(frame, found, "contacts").values[1], 6.0);
+}
+
+TEST_F(DumpReaderTest, CarriageReturnsTabsBlankEndsAndTime)
+{
+  std::string text = header + "ITEM: TIME\n0.25\n" + columns + row1 + row2 + "\n\n";
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
+    text.insert(at, "\r");
+  const DumpFrame frame = frame_of(text);
+  EXPECT_EQ(frame.step, 7);
+  EXPECT_EQ(frame.time, 0.25);
+  EXPECT_EQ(frame.rows, 2u);
+  EXPECT_EQ(frame.box[2][1], 10.0);
+  EXPECT_EQ(error(text), "no error");
+}
+
+TEST_F(DumpReaderTest, ScaledCoordinates)
+{
+  const auto found = rods(header +
+                          "ITEM: ATOMS id xs ys zs shapex shapez quat1 quat2 quat3 quat4\n"
+                          "1 0.5 0.25 0.1 0.01 0.1 1 0 0 0\n2 0 0 0 0.01 0.1 1 0 0 0\n");
+  EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.x, 0.0);  // box -1 to 1
+  EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.y, -0.5);
+  EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.z, 1.0);  // box 0 to 10
+}
+
+TEST_F(DumpReaderTest, SixDigitsAreEnough)
+{
+  // A norm off by 5e-4 is renormalised; shapez a digit below shapex is a sphere.
+  const auto found = rods(header + columns + "1 1 0 0 0 0.01 0.01 0.00999999 0.7075 0.7075 0 0\n" +
+                          "2 1 0 0 0 0.01 0.01 0.01 1 0 0 0\n");
+  EXPECT_NEAR(norm(found[0].capsule.segment.axis), 1.0, 1e-15);
+  EXPECT_TRUE(found[0].is_sphere());
+  EXPECT_TRUE(found[1].is_sphere());
+}
+
+TEST_F(DumpReaderTest, WhatIsWrittenIsReadBack)
+{
+  BedOptions options;
+  options.rods = 50;
+  const auto bed = random_bed(options);
+  const auto found = rods(dump_text(bed, 3));
+  ASSERT_EQ(found.size(), bed.size());
+  for (std::size_t i = 0; i < bed.size(); ++i) {
+    // Six digits of numbers up to 1.
+    EXPECT_NEAR(std::abs(dot(found[i].capsule.segment.axis, bed[i].capsule.segment.axis)), 1.0,
+                1e-5);
+    EXPECT_NEAR(found[i].capsule.segment.half_length, bed[i].capsule.segment.half_length, 1e-6);
+    EXPECT_NEAR(volume(found[i].capsule), volume(bed[i].capsule), 1e-4 * volume(bed[i].capsule));
+  }
+}
+
+TEST_F(DumpReaderTest, FrameChoice)
+{
+  const auto bed = even_directions(3);
+  std::vector<Rod> rods;
+  std::string text = dump_text(rods, 0);
+  for (const Vec3 &u : bed) {
+    const auto id = static_cast<std::int64_t>(rods.size()) + 1;
+    rods.push_back({id, 1, {{{0, 0, 1}, u, 0.1}, 0.01}});
+    text += dump_text(rods, 100 * id);
+  }
+  const std::string path = write("many.dump", text);
+  const auto steps = [&](const std::string &word) {
+    std::vector<std::int64_t> found;
+    for_each_frame(path, parse_frame_choice(word),
+                   [&](const DumpFrame &frame) { found.push_back(frame.step); });
+    return found;
+  };
+  EXPECT_EQ(steps("all"), (std::vector<std::int64_t>{0, 100, 200, 300}));
+  EXPECT_EQ(steps("first"), std::vector<std::int64_t>{0});
+  EXPECT_EQ(steps("last"), std::vector<std::int64_t>{300});
+  EXPECT_EQ(steps("200"), std::vector<std::int64_t>{200});
+  EXPECT_THROW(steps("150"), InputError);
+  EXPECT_THROW(parse_frame_choice("lest"), InputError);
+  EXPECT_THROW(parse_frame_choice("-1"), InputError);
+}
+
+TEST_F(DumpReaderTest, NotADump)
+{
+  expect_error("", ": is empty", "ITEM: TIMESTEP");
+  expect_error("\n\n", ":", "holds no text");
+  expect_error("id,x,y\n", ":1: ", "not a LIGGGHTS dump file");
+  expect_error(std::string("\x7f""ELF\0\1\2\n\xff\xfe", 10), ":1: ", "");
+  EXPECT_THROW(DumpReader(path("missing.dump")), InputError);
+  EXPECT_THROW(DumpReader(path(".")), InputError);
+}
+
+TEST_F(DumpReaderTest, CutOff)
+{
+  const std::string whole = header + columns + row1 + row2;
+  expect_error(header + columns + row1, ":10: ", "the file ends after 1 atoms of step 7, wanted 2");
+  expect_error(header + columns, ":9: ", "the file ends after 0 atoms of step 7, wanted 2");
+  expect_error(header, ":8: ", "the file ends here, wanted an 'ITEM:' line");
+  expect_error("ITEM: TIMESTEP\n", ":1: ", "wanted the time step");
+  // Cut anywhere, the file gives an error and no frame.
+  for (std::size_t length = 0; length < whole.size(); ++length)
+    EXPECT_NE(error(whole.substr(0, length)), "no error") << length;
+  // A second frame that is cut does not pass for the end either.
+  for (std::size_t length = 1; length < whole.size(); length += 7)
+    EXPECT_NE(error(whole + whole.substr(0, length)), "no error") << length;
+}
+
+TEST_F(DumpReaderTest, WrongCounts)
+{
+  expect_error(header + columns + row1 + header + columns + row1 + row2, ":11: ",
+               "step 7 has 1 atom lines, wanted 2");
+  expect_error(header + columns + row1 + row2 + "3" + row1.substr(1), ":12: ",
+               "wanted 'ITEM: TIMESTEP' or the end of the file");
+  expect_error(header + columns + "1 2 3\n" + row2, ":10: ", "too few words, wanted 12");
+  expect_error(header + columns + row1.substr(0, row1.size() - 1) + "9\n" + row2, ":10: ",
+               "too many words, wanted 12");
+  expect_error("ITEM: TIMESTEP\nten\n", ":2: ", "the time step is 'ten'");
+  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n-3\n", ":4: ",
+               "the number of atoms is '-3', wanted a whole number >= 0");
+  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n9999999999999999999999\n", ":4: ", "");
+  expect_error("ITEM: TIMESTEP\n0\n" + columns, ":3: ", "came before 'ITEM: NUMBER OF ATOMS'");
+  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n" + columns, ":5: ",
+               "came before 'ITEM: BOX BOUNDS'");
+  // A promise of more atoms than any memory holds is not believed.
+  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4000000000000000000\nITEM: BOX BOUNDS ff "
+               "ff ff\n0 1\n0 1\n0 1\n" + columns + row1,
+               ":10: ", "ends after 1 atoms");
+}
+
+TEST_F(DumpReaderTest, BadBox)
+{
+  const std::string head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS ff ff ff\n";
+  expect_error(head + "0 one\n", ":6: ", "wanted two finite numbers");
+  expect_error(head + "0 inf\n", ":6: ", "wanted two finite numbers");
+  expect_error(head + "1 0\n", ":6: ", "the upper bound of the box is 0, wanted >= 1");
+  expect_error(head + "0 1\nITEM: ATOMS id\n", ":7: ", "wanted two finite numbers");
+}
+
+TEST_F(DumpReaderTest, MissingColumnsAreNamed)
+{
+  for (const std::string name : {"id", "x", "z", "shapex", "shapez", "quat1", "quat4"}) {
+    std::string names = columns;
+    names.replace(names.find(" " + name + " "), name.size() + 2, " other ");
+    expect_error(header + names + row1 + row2, ":9: ", "column '" + name + "' is missing");
+  }
+  std::string twice = columns;
+  twice.replace(twice.find("type"), 4, "x");
+  expect_error(header + twice + row1 + row2, ":9: ", "column 'x' appears twice");
+}
+
+TEST_F(DumpReaderTest, BadNumbers)
+{
+  const auto with = [&](const std::string &row) { return header + columns + row1 + row; };
+  expect_error(with("2 1 nan 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ",
+               "column 'x' is 'nan', wanted a finite number");
+  expect_error(with("2 1 0 -inf 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "column 'y' is '-inf'");
+  expect_error(with("2 1 0 0 1e999 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "column 'z' is '1e999'");
+  expect_error(with("2 1 0 0 0x1f 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "column 'z' is '0x1f'");
+  expect_error(with("1 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "id 1 was already on line 10");
+  expect_error(with("2.5 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "id is 2.5");
+  expect_error(with("2 0 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "type is 0");
+  expect_error(with("2 1 0 0 0 0.01 0.01 0.1 0 0 0 0\n"), ":11: ",
+               "rod 2: the norm of quat1..4 is 0, wanted 1");
+  expect_error(with("2 1 0 0 0 0.01 0.01 0.1 0.9 0 0 0\n"), ":11: ", "quat1..4 is 0.9, wanted 1");
+  expect_error(with("2 1 0 0 0 0.01 0.01 0.1 1e200 1e200 0 0\n"), ":11: ", "quat1..4 is inf");
+  expect_error(with("2 1 0 0 0 0 0 0.1 1 0 0 0\n"), ":11: ", "shapex is 0, wanted a radius > 0");
+  expect_error(with("2 1 0 0 0 -1 -1 0.1 1 0 0 0\n"), ":11: ", "shapex is -1");
+  expect_error(with("2 1 0 0 0 0.01 0.01 0.009 1 0 0 0\n"), ":11: ",
+               "shapez is 0.009, wanted at least shapex, 0.01");
+  expect_error(with("2 1 0 0 0 0.01 0.02 0.1 1 0 0 0\n"), ":11: ", "shapey is 0.02, wanted 0.01");
+}
+
+TEST_F(DumpReaderTest, Quantities)
+{
+  const auto bed = random_bed({});
+  const DumpFrame frame = frame_of(dump_text(bed, 0));
+  const auto found = rods_of(frame);
+  const RodQuantity elevation = rod_quantity(frame, found, "elevation");
+  EXPECT_EQ(elevation.high, 90.0);
+  // The test bed's velocities are (w, 0, -w), w = 0.01 (id mod 7).
+  const RodQuantity speed = rod_quantity(frame, found, "speed");
+  EXPECT_NEAR(speed.high, 0.06 * std::sqrt(2.0), 1e-6);
+  EXPECT_EQ(rod_quantity(frame, found, "id").values[4], 5.0);
+  EXPECT_THROW(rod_quantity(frame, found, "colour"), InputError);
+}
+
+}  // namespace
+}  // namespace spherocylinder
