@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "scene.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "core/rotation.h"
+
+namespace decks {
+
+namespace sc = spherocylinder;
+
+const char *const kFrameColumns =
+    "id type x y z vx vy vz omegax omegay omegaz shapex shapez density quat1 quat2 quat3 quat4 "
+    "c_contacts";
+
+Vec3 Rod::angular_momentum() const
+{
+  const sc::MassProperties p = properties();
+  return sc::angular_momentum(omega, axis, p.inertia_axial, p.inertia_transverse);
+}
+
+double Rod::kinetic_energy() const
+{
+  return 0.5 * mass() * norm_squared(velocity) + 0.5 * dot(omega, angular_momentum());
+}
+
+std::string name_of(Mode mode)
+{
+  return mode == Mode::OneRank ? "OneRank" : mode == Mode::TwoRanks ? "TwoRanks" : "Restarted";
+}
+
+std::string data_file(const Scene &scene)
+{
+  std::string atoms, velocities;
+  int id = 0;
+  for (const Rod &rod : scene.rods) {
+    id++;
+    atoms += fmt::format("{} {} {} {} {} {} {} {} {} {} {}\n", id, rod.type, rod.diameter,
+                         rod.length, rod.density, rod.position.x, rod.position.y, rod.position.z,
+                         rod.axis.x, rod.axis.y, rod.axis.z);
+    velocities += fmt::format("{} {} {} {} {} {} {}\n", id, rod.velocity.x, rod.velocity.y,
+                              rod.velocity.z, rod.omega.x, rod.omega.y, rod.omega.z);
+  }
+  return fmt::format(R"(rods
+
+{} atoms
+{} atom types
+{} {} xlo xhi
+{} {} ylo yhi
+{} {} zlo zhi
+
+Atoms
+
+{}
+Velocities
+
+{})",
+                     scene.rods.size(), scene.types, scene.box_lo[0], scene.box_hi[0],
+                     scene.box_lo[1], scene.box_hi[1], scene.box_lo[2], scene.box_hi[2], atoms,
+                     velocities);
+}
+
+std::string preamble(const Scene &scene, Mode mode)
+{
+  return fmt::format(R"(atom_style spherocylinder
+atom_modify map array
+boundary {}
+newton off
+communicate single vel yes
+units si
+{})",
+                     scene.boundary, mode == Mode::TwoRanks ? "processors 2 1 1\n" : "");
+}
+
+namespace {
+
+std::string run_commands(const Scene &scene, const std::string &dump, long steps)
+{
+  return fmt::format(R"(neighbor {} bin
+neigh_modify delay 0
+{}
+compute contacts all contact/spherocylinder
+timestep {}
+thermo {}
+thermo_modify norm no lost error
+{}run {}
+)",
+                     scene.skin, scene.physics, scene.dt, steps,
+                     exact_dump(dump, scene.dump_every ? scene.dump_every : steps, kFrameColumns),
+                     steps);
+}
+
+void run_deck(const DeckFolder &folder, const std::string &deck, const Launch &launch)
+{
+  const Outcome outcome = folder.run(deck, launch);
+  if (outcome.exit_code == 0) return;
+  ADD_FAILURE() << deck << " ended with exit code " << outcome.exit_code << "\n" << outcome.output;
+  throw std::runtime_error(deck + " did not run");
+}
+
+Rod rod_at(const Table &table, size_t row)
+{
+  const auto vector = [&](const std::string &x, const std::string &y, const std::string &z) {
+    return Vec3{table.at(row, x), table.at(row, y), table.at(row, z)};
+  };
+  Rod rod;
+  rod.position = vector("x", "y", "z");
+  rod.velocity = vector("vx", "vy", "vz");
+  rod.omega = vector("omegax", "omegay", "omegaz");
+  rod.axis = sc::axis_of({table.at(row, "quat1"), table.at(row, "quat2"), table.at(row, "quat3"),
+                          table.at(row, "quat4")});
+  rod.diameter = 2.0 * table.at(row, "shapex");
+  rod.length = 2.0 * table.at(row, "shapez");
+  rod.density = table.at(row, "density");
+  rod.type = static_cast<int>(table.at(row, "type"));
+  return rod;
+}
+
+}  // namespace
+
+std::vector<Frame> read_frames(const std::filesystem::path &dump, const Scene &scene)
+{
+  std::vector<Frame> frames;
+  for (const Snapshot &snapshot : read_dump(dump)) {
+    Frame frame{snapshot.step, scene.dt * static_cast<double>(snapshot.step), {}, {}};
+    for (size_t row = 0; row < snapshot.atoms.rows.size(); row++) {
+      frame.rods.push_back(rod_at(snapshot.atoms, row));
+      frame.contacts.push_back(snapshot.atoms.at(row, "c_contacts"));
+    }
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+std::vector<Frame> run(const Scene &scene, Mode mode, Program program)
+{
+  const DeckFolder folder;
+  const Launch launch{program, mode == Mode::TwoRanks ? 2 : 1};
+  folder.write("rods.data", data_file(scene));
+  const std::string start = preamble(scene, mode);
+  if (mode != Mode::Restarted) {
+    folder.write("in.scene", start + "read_data rods.data\n" +
+                                 run_commands(scene, "dump.scene", scene.steps));
+    run_deck(folder, "in.scene", launch);
+    return read_frames(folder / "dump.scene", scene);
+  }
+
+  const long half = scene.steps / 2;
+  folder.write("in.first", start + "read_data rods.data\n" +
+                               run_commands(scene, "dump.first", half) +
+                               "write_restart half\n");
+  folder.write("in.second", start + "read_restart half\n" +
+                                run_commands(scene, "dump.second", scene.steps - half));
+  run_deck(folder, "in.first", launch);
+  run_deck(folder, "in.second", launch);
+  std::vector<Frame> frames = read_frames(folder / "dump.first", scene);
+  for (const Frame &frame : read_frames(folder / "dump.second", scene))
+    if (frame.step > frames.back().step) frames.push_back(frame);
+  return frames;
+}
+
+std::string pair_property(const std::string &name, int types,
+                          const std::function<double(int, int)> &value)
+{
+  std::string line = fmt::format("fix {0} all property/global {0} peratomtypepair {1}", name, types);
+  for (int i = 1; i <= types; i++)
+    for (int j = 1; j <= types; j++) line += fmt::format(" {}", value(i, j));
+  return line + "\n";
+}
+
+std::string pair_property(const std::string &name, int types, double value)
+{
+  return pair_property(name, types, [value](int, int) { return value; });
+}
+
+std::string linear_material(double kn, double kt, double restitution, double friction, int types)
+{
+  return pair_property("kn", types, kn) + pair_property("kt", types, kt) +
+         pair_property("coefficientRestitution", types, restitution) +
+         pair_property("coefficientFriction", types, friction);
+}
+
+std::string rod_pair(const std::string &models)
+{
+  return fmt::format("pair_style gran model {} surface spherocylinder\npair_coeff * *\n", models);
+}
+
+std::string rod_wall(const std::string &id, const std::string &models,
+                     const std::string &primitive)
+{
+  return fmt::format("fix {} all wall/gran model {} surface spherocylinder primitive {}\n", id,
+                     models, primitive);
+}
+
+Vec3 momentum(const std::vector<Rod> &rods)
+{
+  Vec3 sum{0.0, 0.0, 0.0};
+  for (const Rod &rod : rods) sum = sum + rod.mass() * rod.velocity;
+  return sum;
+}
+
+Vec3 angular_momentum(const std::vector<Rod> &rods, const Vec3 &about)
+{
+  Vec3 sum{0.0, 0.0, 0.0};
+  for (const Rod &rod : rods)
+    sum = sum + rod.angular_momentum() + cross(rod.position - about, rod.mass() * rod.velocity);
+  return sum;
+}
+
+double kinetic_energy(const std::vector<Rod> &rods)
+{
+  double sum = 0.0;
+  for (const Rod &rod : rods) sum += rod.kinetic_energy();
+  return sum;
+}
+
+Vec3 normalized(const Vec3 &a) { return (1.0 / norm(a)) * a; }
+
+double degrees(double angle) { return angle * 3.14159265358979323846 / 180.0; }
+
+}  // namespace decks

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A rod that touches nothing is a free symmetric top: its angular momentum L is fixed, its axis
+// precesses about L at |L| / I_t on a cone with cos(cone) = L.u / |L|.
+#include <algorithm>
+#include <cmath>
+
+#include "claim.h"
+#include "run_mode.h"
+
+using namespace decks;
+
+namespace {
+
+class FreeRotation : public RunMode {};
+
+Scene free_rods()
+{
+  Scene scene;
+  const double ratios[] = {2.0, 10.0, 30.0};
+  for (int i = 0; i < 3; i++) {
+    Rod rod;
+    rod.length = ratios[i] * rod.diameter;
+    rod.position = {-0.4 + 0.4 * i, 0.1, 0.0};
+    rod.axis = normalized({0.3, -0.5, 0.8 - i});
+    rod.omega = Vec3{12.0, -20.0, 5.0 * i} + 300.0 * rod.axis;
+    scene.rods.push_back(rod);
+  }
+  scene.physics = linear_material(1e5, 1e5, 0.5, 0.2) + rod_pair("linear tangential history") +
+                  "fix motion all nve/spherocylinder\n";
+  scene.dt = 1e-5;
+  scene.steps = 100000;
+  scene.dump_every = 20000;
+  return scene;
+}
+
+// The axis turned about the direction of L by the angle |L| / I_t t (Rodrigues' formula).
+Vec3 precessed(const Rod &start, double time)
+{
+  const Vec3 L = start.angular_momentum();
+  const Vec3 n = normalized(L), u = start.axis;
+  const double angle = norm(L) / start.properties().inertia_transverse * time;
+  return std::cos(angle) * u + std::sin(angle) * cross(n, u) +
+         (1.0 - std::cos(angle)) * dot(n, u) * n;
+}
+
+TEST_P(FreeRotation, PrecessesAboutItsAngularMomentum)
+{
+  Scene scene = free_rods();
+  if (GetParam() != Mode::OneRank) scene.steps /= 5;
+  double momentum_error = 0.0, cone_error = 0.0, axis_error = 0.0;
+  for (const Frame &frame : run(scene, GetParam()))
+    for (size_t i = 0; i < scene.rods.size(); i++) {
+      const Rod &start = scene.rods[i], &now = frame.rods[i];
+      const Vec3 L0 = start.angular_momentum(), L = now.angular_momentum();
+      momentum_error = std::max(momentum_error, norm(L - L0) / norm(L0));
+      const double cone0 = std::acos(dot(normalized(L0), start.axis));
+      cone_error = std::max(cone_error, std::fabs(std::acos(dot(normalized(L), now.axis)) - cone0));
+      axis_error = std::max(axis_error, norm(now.axis - precessed(start, frame.time)));
+    }
+  // 10^5 steps of round-off, which grows like a random walk or at worst linearly.
+  expect_holds({"Free precession: angular momentum, relative", "L fixed", 1e-11}, momentum_error);
+  expect_holds({"Free precession: cone angle (rad)", "cos(cone) = L.u/abs(L)", 1e-10}, cone_error);
+  expect_holds({"Free precession: direction of the axis after 10^5 steps", "rate abs(L)/I_t", 1e-9},
+               axis_error);
+}
+
+DECKS_IN_ALL_MODES(FreeRotation);
+
+}  // namespace
