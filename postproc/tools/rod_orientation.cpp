@@ -153,11 +153,11 @@ void run(const Options &options)
                       "least one",
                       frame.path, frame.step));
     const Result result = measure(frame, axes, options);
-    print_table(result);
     if (!csv) {
       csv.emplace(options.csv, bin_columns);
       summary_csv.emplace(options.summary_csv, summary_columns);
     }
+    print_table(result);
     for (std::size_t i = 0; i < result.histogram.size(); ++i) csv->row(bin_row(result, i));
     summary_csv->row(summary_row(result));
   });

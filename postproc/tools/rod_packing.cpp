@@ -220,8 +220,8 @@ void run(Options &options)
       throw InputError(
           fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
     const Result result = measure(frame, rods, options);
-    print_table(result);
     if (!csv) csv.emplace(options.csv, column_names);
+    print_table(result);
     csv->row(csv_row(result));
   });
   if (!csv)

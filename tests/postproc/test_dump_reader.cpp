@@ -72,9 +72,9 @@ TEST_F(DumpReaderTest, ReadsRods)
 TEST_F(DumpReaderTest, ColumnsInAnyOrderAndExtraOnes)
 {
   const DumpFrame frame = frame_of(header +
-                               "ITEM: ATOMS quat4 c_contacts element z y x shapez quat1 quat3 "
-                               "quat2 shapex id\n0 4 Al 3 2 1 0.1 1 0 0 0.01 5\n"
-                               "0 6 Fe 3 2 1 0.1 1 0 0 0.01 6\n");
+                                   "ITEM: ATOMS quat4 c_contacts element z y x shapez quat1 quat3 "
+                                   "quat2 shapex id\n0 4 Al 3 2 1 0.1 1 0 0 0.01 5\n"
+                                   "0 6 Fe 3 2 1 0.1 1 0 0 0.01 6\n");
   const auto found = rods_of(frame);
   EXPECT_EQ(found[0].capsule.segment.centre.x, 1.0);
   EXPECT_EQ(found[0].id, 5);
@@ -164,7 +164,10 @@ TEST_F(DumpReaderTest, NotADump)
   expect_error("", ": is empty", "ITEM: TIMESTEP");
   expect_error("\n\n", ":", "holds no text");
   expect_error("id,x,y\n", ":1: ", "not a LIGGGHTS dump file");
-  expect_error(std::string("\x7f""ELF\0\1\2\n\xff\xfe", 10), ":1: ", "");
+  expect_error(std::string("\x7f"
+                           "ELF\0\1\2\n\xff\xfe",
+                           10),
+               ":1: ", "");
   EXPECT_THROW(DumpReader(path("missing.dump")), InputError);
   EXPECT_THROW(DumpReader(path(".")), InputError);
 }
@@ -186,29 +189,32 @@ TEST_F(DumpReaderTest, CutOff)
 
 TEST_F(DumpReaderTest, WrongCounts)
 {
-  expect_error(header + columns + row1 + header + columns + row1 + row2, ":11: ",
-               "step 7 has 1 atom lines, wanted 2");
-  expect_error(header + columns + row1 + row2 + "3" + row1.substr(1), ":12: ",
-               "wanted 'ITEM: TIMESTEP' or the end of the file");
+  expect_error(header + columns + row1 + header + columns + row1 + row2,
+               ":11: ", "step 7 has 1 atom lines, wanted 2");
+  expect_error(header + columns + row1 + row2 + "3" + row1.substr(1),
+               ":12: ", "wanted 'ITEM: TIMESTEP' or the end of the file");
   expect_error(header + columns + "1 2 3\n" + row2, ":10: ", "too few words, wanted 12");
-  expect_error(header + columns + row1.substr(0, row1.size() - 1) + "9\n" + row2, ":10: ",
-               "too many words, wanted 12");
+  expect_error(header + columns + row1.substr(0, row1.size() - 1) + "9\n" + row2,
+               ":10: ", "too many words, wanted 12");
   expect_error("ITEM: TIMESTEP\nten\n", ":2: ", "the time step is 'ten'");
-  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n-3\n", ":4: ",
-               "the number of atoms is '-3', wanted a whole number >= 0");
+  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n-3\n",
+               ":4: ", "the number of atoms is '-3', wanted a whole number >= 0");
   expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n9999999999999999999999\n", ":4: ", "");
   expect_error("ITEM: TIMESTEP\n0\n" + columns, ":3: ", "came before 'ITEM: NUMBER OF ATOMS'");
-  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n" + columns, ":5: ",
-               "came before 'ITEM: BOX BOUNDS'");
+  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n" + columns,
+               ":5: ", "came before 'ITEM: BOX BOUNDS'");
   // A promise of more atoms than any memory holds is not believed.
-  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4000000000000000000\nITEM: BOX BOUNDS ff "
-               "ff ff\n0 1\n0 1\n0 1\n" + columns + row1,
-               ":10: ", "ends after 1 atoms");
+  expect_error(
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4000000000000000000\nITEM: BOX BOUNDS ff "
+      "ff ff\n0 1\n0 1\n0 1\n" +
+          columns + row1,
+      ":10: ", "ends after 1 atoms");
 }
 
 TEST_F(DumpReaderTest, BadBox)
 {
-  const std::string head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS ff ff ff\n";
+  const std::string head =
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS ff ff ff\n";
   expect_error(head + "0 one\n", ":6: ", "wanted two finite numbers");
   expect_error(head + "0 inf\n", ":6: ", "wanted two finite numbers");
   expect_error(head + "1 0\n", ":6: ", "the upper bound of the box is 0, wanted >= 1");
@@ -230,22 +236,22 @@ TEST_F(DumpReaderTest, MissingColumnsAreNamed)
 TEST_F(DumpReaderTest, BadNumbers)
 {
   const auto with = [&](const std::string &row) { return header + columns + row1 + row; };
-  expect_error(with("2 1 nan 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ",
-               "column 'x' is 'nan', wanted a finite number");
+  expect_error(with("2 1 nan 0 0 0.01 0.01 0.1 1 0 0 0\n"),
+               ":11: ", "column 'x' is 'nan', wanted a finite number");
   expect_error(with("2 1 0 -inf 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "column 'y' is '-inf'");
   expect_error(with("2 1 0 0 1e999 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "column 'z' is '1e999'");
   expect_error(with("2 1 0 0 0x1f 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "column 'z' is '0x1f'");
   expect_error(with("1 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "id 1 was already on line 10");
   expect_error(with("2.5 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "id is 2.5");
   expect_error(with("2 0 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "type is 0");
-  expect_error(with("2 1 0 0 0 0.01 0.01 0.1 0 0 0 0\n"), ":11: ",
-               "rod 2: the norm of quat1..4 is 0, wanted 1");
+  expect_error(with("2 1 0 0 0 0.01 0.01 0.1 0 0 0 0\n"),
+               ":11: ", "rod 2: the norm of quat1..4 is 0, wanted 1");
   expect_error(with("2 1 0 0 0 0.01 0.01 0.1 0.9 0 0 0\n"), ":11: ", "quat1..4 is 0.9, wanted 1");
   expect_error(with("2 1 0 0 0 0.01 0.01 0.1 1e200 1e200 0 0\n"), ":11: ", "quat1..4 is inf");
   expect_error(with("2 1 0 0 0 0 0 0.1 1 0 0 0\n"), ":11: ", "shapex is 0, wanted a radius > 0");
   expect_error(with("2 1 0 0 0 -1 -1 0.1 1 0 0 0\n"), ":11: ", "shapex is -1");
-  expect_error(with("2 1 0 0 0 0.01 0.01 0.009 1 0 0 0\n"), ":11: ",
-               "shapez is 0.009, wanted at least shapex, 0.01");
+  expect_error(with("2 1 0 0 0 0.01 0.01 0.009 1 0 0 0\n"),
+               ":11: ", "shapez is 0.009, wanted at least shapex, 0.01");
   expect_error(with("2 1 0 0 0 0.01 0.02 0.1 1 0 0 0\n"), ":11: ", "shapey is 0.02, wanted 0.01");
 }
 

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The four programs from end to end: what they print, write and return.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "scratch_folder.h"
+#include "test_bed.h"
+
+namespace spherocylinder {
+namespace {
+
+const std::string programs = PROGRAM_FOLDER;
+const std::string docs = DOCS_FOLDER;
+
+// The first row of a CSV file by column.
+std::map<std::string, double> csv_row(const std::string &text)
+{
+  std::istringstream lines(text);
+  std::string names, row, name, field;
+  std::getline(lines, names);
+  std::getline(lines, row);
+  std::istringstream name_fields(names), row_fields(row);
+  std::map<std::string, double> values;
+  while (std::getline(name_fields, name, ',')) {
+    std::getline(row_fields, field, ',');
+    values[name] = field.empty() ? NAN : std::stod(field);
+  }
+  return values;
+}
+
+std::size_t count_lines(const std::string &text)
+{
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+class Programs : public ScratchFolder {
+ protected:
+  void SetUp() override
+  {
+    BedOptions options;
+    options.rods = 30;
+    options.length = 0.3;
+    options.vessel_radius = 0.305;
+    const auto rods = random_bed(options);
+    bed_ = dump_text(rods, 1000);
+    write("bed.dump", bed_);
+    write("pour.dump", dump_text({}, 0) + dump_text({rods.begin(), rods.begin() + 10}, 500) + bed_);
+  }
+
+  // Runs in the test's folder; standard output and error end up in `out` and `error`.
+  int run(const std::string &command)
+  {
+    const int status =
+        std::system(fmt::format("cd '{}' && PATH='{}':\"$PATH\" {} >out.txt 2>error.txt",
+                                folder().string(), programs, command)
+                        .c_str());
+    out_ = read("out.txt");
+    error_ = read("error.txt");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  // Exit code 2 and a single sentence, headed by the program's name, that holds `words`.
+  void expect_refusal(const std::string &command, const std::string &words)
+  {
+    EXPECT_EQ(run(command), 2) << command;
+    EXPECT_EQ(out_, "") << command;
+    EXPECT_EQ(count_lines(error_), 1u) << error_;
+    EXPECT_EQ(error_.find(command.substr(0, command.find(' ')) + ": "), 0u) << error_;
+    EXPECT_NE(error_.find(words), std::string::npos) << error_;
+  }
+
+  bool can_render() { return run("command -v xvfb-run") == 0 || std::getenv("DISPLAY"); }
+
+  // Width and height in a PNG file's header (RFC 2083, 11.2.1).
+  std::pair<int, int> png_size(const std::string &name)
+  {
+    const std::string bytes = read(name);
+    if (bytes.substr(0, 8) != "\x89PNG\r\n\x1a\n") return {0, 0};
+    const auto number = [&](std::size_t at) {
+      int value = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        value = 256 * value + static_cast<unsigned char>(bytes[at + i]);
+      return value;
+    };
+    return {number(16), number(20)};
+  }
+
+  // The commands of a page's section "Examples".
+  std::vector<std::string> examples(const std::string &page)
+  {
+    std::ifstream file(docs + "/" + page);
+    std::vector<std::string> commands;
+    bool in_section = false;
+    for (std::string line; std::getline(file, line);) {
+      if (line.rfind("## ", 0) == 0) in_section = line == "## Examples";
+      if (in_section && line.rfind("rod_", 0) == 0) commands.push_back(line);
+    }
+    return commands;
+  }
+
+  void expect_examples_run(const std::string &page)
+  {
+    const auto commands = examples(page);
+    EXPECT_GE(commands.size(), 2u);
+    for (const std::string &command : commands) {
+      EXPECT_EQ(run(command), 0) << command << "\n" << error_;
+      EXPECT_EQ(error_, "") << command;
+    }
+  }
+
+  std::string bed_, out_, error_;
+};
+
+TEST_F(Programs, HelpShowsAnExample)
+{
+  for (const std::string program : {"rod_packing", "rod_orientation", "rod_vtk", "rod_render"}) {
+    EXPECT_EQ(run(program + " --help"), 0);
+    EXPECT_NE(out_.find("Example: " + program + " "), std::string::npos) << out_;
+    EXPECT_EQ(error_, "");
+  }
+}
+
+TEST_F(Programs, ExamplesOfThePages)
+{
+  expect_examples_run("rod_packing.md");
+  expect_examples_run("rod_orientation.md");
+  expect_examples_run("rod_vtk.md");
+}
+
+TEST_F(Programs, ExamplesOfThePictures)
+{
+  if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
+  expect_examples_run("rod_render.md");
+  EXPECT_EQ(png_size("bed.png"), (std::pair{1200, 900}));
+  EXPECT_EQ(png_size("speed.png"), (std::pair{800, 600}));
+}
+
+// One standing rod of radius r, half cylinder length h, centre at height z in a vessel of radius R.
+TEST_F(Programs, PackingOfOneRod)
+{
+  const double pi = std::acos(-1.0), r = 0.01, h = 0.09, z = 0.2, R = 0.1;
+  write("one.dump", dump_text({{1, 1, {{{0, 0, z}, {0, 0, 1}, h}, r}}}, 5));
+  ASSERT_EQ(run("rod_packing one.dump --vessel-radius 0.1 --csv one.csv --tolerance 1e-6"), 0);
+  auto row = csv_row(read("one.csv"));
+  EXPECT_EQ(row["step"], 5);
+  EXPECT_EQ(row["rods"], 1);
+  EXPECT_NEAR(row["lambda_mean"], 10, 1e-9);
+  EXPECT_NEAR(row["mean_elevation_deg"], 90, 1e-9);
+  EXPECT_NEAR(row["z_top_m"], z, 1e-12);
+  EXPECT_NEAR(row["highest_point_m"], 0.3, 1e-12);
+  const double whole = pi * R * R * z, half_sphere = 2.0 / 3.0 * pi * r * r * r;
+  EXPECT_NEAR(row["vf_whole"], (pi * r * r * 2 * h + 2 * half_sphere) / whole, 1e-9);
+  // Clipped at the rod's own centre: half of it is left.
+  EXPECT_NEAR(row["vf_whole_clipped"], (pi * r * r * h + half_sphere) / whole,
+              row["vf_whole_clipped_error"] + 1e-9);
+  // The inner cylinder ends at mid-height plus half of 2^(-1/3) z, below the rod's centre; the
+  // rod's lower round end lies in it if its bottom is low enough, as here.
+  EXPECT_NEAR(row["inner_top_m"], 0.1 + 0.1 * std::cbrt(0.5), 1e-9);
+  EXPECT_NEAR(row["inner_volume_m3"], whole / 2, 1e-12);
+  EXPECT_NEAR(row["vf_inner"],
+              (pi * r * r * (row["inner_top_m"] - (z - h)) + half_sphere) / (whole / 2),
+              row["vf_inner_error"] + 1e-9);
+  EXPECT_NEAR(row["vf_parkhouse_kelly"], 0.4605, 5e-5);
+  EXPECT_TRUE(std::isnan(row["mean_sin_gamma"]));  // takes two rods
+}
+
+TEST_F(Programs, PackingOfAllFramesLeavesOutTheEmptyOne)
+{
+  ASSERT_EQ(run("rod_packing pour.dump --vessel-radius 0.305 --frame all --csv all.csv"), 0);
+  EXPECT_EQ(count_lines(read("all.csv")), 3u);  // header, steps 500 and 1000
+  EXPECT_EQ(csv_row(read("all.csv"))["step"], 500);
+}
+
+TEST_F(Programs, SeveralLengthsAreSaid)
+{
+  write("two.dump", dump_text({{1, 1, {{{0, 0, 0.1}, {1, 0, 0}, 0.09}, 0.01}},
+                               {2, 1, {{{0, 0, 0.2}, {1, 0, 0}, 0.19}, 0.01}}},
+                              0));
+  ASSERT_EQ(run("rod_packing two.dump --vessel-radius 1"), 0);
+  EXPECT_NE(out_.find("lambda 15 (number mean; 10 to 20"), std::string::npos) << out_;
+}
+
+TEST_F(Programs, OrientationOfEvenDirections)
+{
+  std::vector<Rod> rods;
+  for (const Vec3 &u : even_directions(2000))
+    rods.push_back({static_cast<std::int64_t>(rods.size()) + 1, 1, {{{0, 0, 1}, u, 0.1}, 0.01}});
+  write("even.dump", dump_text(rods, 0));
+  ASSERT_EQ(run("rod_orientation even.dump --bins 10 --csv bins.csv --summary-csv means.csv"), 0);
+  EXPECT_EQ(count_lines(read("bins.csv")), 11u);
+  auto bin = csv_row(read("bins.csv"));
+  EXPECT_NEAR(bin["isotropic_fraction"], 0.1, 1e-9);
+  EXPECT_NEAR(bin["density"], 1.0, 0.02);  // six digits of the dump move a few axes over an edge
+  EXPECT_NEAR(bin["elevation_high_deg"], std::asin(0.1) * 180 / std::acos(-1.0), 1e-6);
+  auto means = csv_row(read("means.csv"));
+  EXPECT_NEAR(means["mean_elevation_deg"], 32.70, 0.05);
+  EXPECT_NEAR(means["nematic_order"], 0.0, 0.01);
+  EXPECT_EQ(means["chi2_degrees_of_freedom"], 9);
+}
+
+TEST_F(Programs, VtkFilesCarryAllColumns)
+{
+  ASSERT_EQ(run("rod_vtk pour.dump --out p --geometry lines --timestep 0.5"), 0);
+  const std::string series = read("p.pvd");
+  for (const char *words : {"timestep=\"0\"", "timestep=\"250\"", "file=\"p_0000001000.vtp\""})
+    EXPECT_NE(series.find(words), std::string::npos) << series;
+  const std::string file = read("p_0000001000.vtp");
+  EXPECT_NE(file.find("NumberOfLines=\"30\""), std::string::npos);
+  for (const char *name : {"id", "type", "elevation_deg", "speed", "omega", "length", "diameter",
+                           "axis", "c_contacts", "vx", "radius"})
+    EXPECT_NE(file.find(fmt::format("Name=\"{}\"", name)), std::string::npos) << name;
+  EXPECT_NE(read("p_0000000000.vtp").find("NumberOfLines=\"0\""), std::string::npos);
+}
+
+TEST_F(Programs, WrongOptions)
+{
+  expect_refusal("rod_packing", "DUMP is required");
+  expect_refusal("rod_packing bed.dump", "--vessel-radius is required");
+  expect_refusal("rod_packing bed.dump --vessel-radius 0", "must be a number > 0 (got '0')");
+  expect_refusal("rod_packing bed.dump --vessel-radius nan", "must be a number > 0");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --tolerance 1", "from 1e-09 to 0.1");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --centre 1", "--centre");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --colour red", "--colour");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --frame lest",
+                 "must be first, last, all or a step >= 0 (got 'lest')");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --frame 7", "step 7 is not among its 1");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --inner-radius 2",
+                 "--inner-radius: must be at most the vessel radius 1 (got 2)");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --inner-top -3", "above the bottom");
+  expect_refusal("rod_orientation bed.dump --bins 0", "--bins");
+  expect_refusal("rod_orientation bed.dump --spacing wide", "--spacing");
+  expect_refusal("rod_vtk bed.dump --geometry cubes", "--geometry");
+  expect_refusal("rod_vtk bed.dump --vessel-radius 1", "must be given together");
+  expect_refusal("rod_render bed.dump", "--out is required");
+  expect_refusal("rod_render bed.dump --out a.png --size big", "--size: must be WIDTHxHEIGHT");
+  expect_refusal("rod_render bed.dump --out a.png --colour taste", "column 'taste' is missing");
+  expect_refusal("rod_render bed.dump --out a.png --background blurple", "--background");
+  expect_refusal("rod_render bed.dump --out a.png --frame all", "--frame");
+  expect_refusal("rod_render bed.dump --out a.png --range 2 1", "--range");
+}
+
+TEST_F(Programs, FilesThatCannotBeWritten)
+{
+  expect_refusal("rod_orientation bed.dump --csv no/where.csv", "no/where.csv: cannot be opened");
+  expect_refusal("rod_vtk bed.dump --out no/where", "cannot be opened for writing");
+  expect_refusal("rod_render bed.dump --out no/where.png", "no/where.png: cannot be opened");
+}
+
+TEST_F(Programs, RodsOutsideTheVesselAreCounted)
+{
+  write("out.dump", dump_text({{1, 1, {{{0, 0, 0.1}, {1, 0, 0}, 0.09}, 0.01}},
+                               {2, 1, {{{0.5, 0, 0.1}, {1, 0, 0}, 0.09}, 0.01}},
+                               {3, 1, {{{0, 0, -0.1}, {1, 0, 0}, 0.09}, 0.01}}},
+                              0));
+  expect_refusal("rod_packing out.dump --vessel-radius 0.2",
+                 "2 of 3 rod centres are outside the vessel");
+}
+
+TEST_F(Programs, NoDisplayAndNoXvfb)
+{
+  // A PATH with nothing but the program.
+  std::filesystem::create_symlink(programs + "/rod_render", folder() / "rod_render");
+  EXPECT_EQ(run("env -u DISPLAY PATH=. ./rod_render bed.dump --out a.png"), 2);
+  EXPECT_NE(error_.find("rod_render: no X display can be reached and the program xvfb-run is not "
+                        "installed"),
+            std::string::npos)
+      << error_;
+}
+
+// Every malformed file through every program: one sentence with file and line, exit code 2.
+TEST_F(Programs, MalformedFiles)
+{
+  const auto with = [&](const std::string &old_text, const std::string &new_text) {
+    std::string text = bed_;
+    const auto at = text.find(old_text);
+    EXPECT_NE(at, std::string::npos) << old_text;
+    return text.replace(at, old_text.size(), new_text);
+  };
+  const auto first_row = bed_.find('\n', bed_.find("ITEM: ATOMS")) + 1;
+  const auto second_row = bed_.find('\n', first_row) + 1;
+  const std::string row = bed_.substr(first_row, second_row - first_row);
+  struct Case {
+    std::string text, words;
+  };
+  const Case cases[] = {
+      {"", "a.dump: is empty"},
+      {"\x01\x02\x03 junk\n", "a.dump:1: "},
+      {bed_.substr(0, bed_.size() / 2), "a.dump:"},
+      {bed_.substr(0, second_row), "the file ends after 1 atoms of step 1000, wanted 30"},
+      {with("\n30\n", "\n29\n"), "a.dump:39: "},
+      {with("\n30\n", "\n31\n"), "the file ends after 30 atoms of step 1000, wanted 31"},
+      {with("shapez", "shape"), "a.dump:9: column 'shapez' is missing"},
+      {with("quat3", "q3"), "a.dump:9: column 'quat3' is missing"},
+      {with(row, row + row), "a.dump:11: id 1 was already on line 10"},
+      {with(row, "nan" + row.substr(1)), "a.dump:10: column 'id' is 'nan'"},
+      {with(row, "1 1 0 0 inf 0 0 0 0 0 0 0.01 0.01 0.1 1 0 0 0 1\n"), "column 'z' is 'inf'"},
+      {with(row, "1 1 0 0 0 0 0 0 0 0 0 0.01 0.01 0.1 0 0 0 0 1\n"),
+       "a.dump:10: rod 1: the norm of quat1..4 is 0, wanted 1"},
+      {with(row, "1 1 0 0 0 0 0 0 0 0 0 0.01 0.01 0.001 1 0 0 0 1\n"),
+       "a.dump:10: rod 1: shapez is 0.001, wanted at least shapex, 0.01"},
+      {dump_text({}, 0), "holds no rods"},
+  };
+  for (const Case &bad : cases) {
+    write("a.dump", bad.text);
+    expect_refusal("rod_packing a.dump --vessel-radius 1", bad.words);
+    expect_refusal("rod_orientation a.dump", bad.words);
+    expect_refusal("rod_render a.dump --out a.png", bad.words);
+    if (bad.words != "holds no rods") expect_refusal("rod_vtk a.dump", bad.words);
+  }
+  expect_refusal("rod_packing missing.dump --vessel-radius 1", "missing.dump: cannot be opened");
+  expect_refusal("rod_packing . --vessel-radius 1", ".: is a folder");
+}
+
+}  // namespace
+}  // namespace spherocylinder
