@@ -47,6 +47,14 @@ void check_host(LAMMPS_NS::LAMMPS *lmp)
   lmp->error->all(FLERR, text);
 }
 
+// Error::one prints and calls MPI_Abort, which flushes nothing: line by line, so that its sentence
+// also reaches a file or a pipe.
+void flush_every_line(LAMMPS_NS::LAMMPS *lmp)
+{
+  if (lmp->screen) setvbuf(lmp->screen, nullptr, _IOLBF, 0);
+  if (lmp->logfile) setvbuf(lmp->logfile, nullptr, _IOLBF, 0);
+}
+
 void print_banner_once(LAMMPS_NS::LAMMPS *lmp)
 {
   static bool printed = false;
@@ -66,6 +74,7 @@ EXPORT void LAMMPS::post_create()
   static const auto original = next_symbol<PostCreate>("_ZN9LAMMPS_NS6LAMMPS11post_createEv");
   original(this);
   check_host(this);
+  flush_every_line(this);
   spherocylinder::add_styles(this);
   print_banner_once(this);
 }

@@ -99,6 +99,7 @@ void AtomVecSpherocylinder::grow(int n)
   memory->grow(atom->density, nmax, "atom:density");
   memory->grow(atom->rmass, nmax, "atom:rmass");
   memory->grow(atom->volume, nmax, "atom:volume");
+  memory->grow(atom->vfrac, nmax, "atom:vfrac");
   memory->grow(atom->area, nmax, "atom:area");
   memory->grow(atom->omega, nmax, 3, "atom:omega");
   memory->grow(atom->torque, nmax * comm->nthreads, 3, "atom:torque");
@@ -109,8 +110,12 @@ void AtomVecSpherocylinder::grow(int n)
   memory->grow(atom->quaternion, nmax, 4, "atom:quaternion");
   grow_reset();
 
-  // A rod has no blockiness, but a stock dump may ask for it.
-  for (int i = 0; i < nmax; i++) blockiness[i][0] = blockiness[i][1] = 2.0;
+  // A rod has no blockiness and no vfrac, but a stock dump may read the one and `set volume` write
+  // the other (which is refused at the next run: check_rods_after_set).
+  for (int i = 0; i < nmax; i++) {
+    blockiness[i][0] = blockiness[i][1] = 2.0;
+    atom->vfrac[i] = 0.0;
+  }
 
   for (int iextra = 0; iextra < atom->nextra_grow; iextra++)
     modify->fix[atom->extra_grow[iextra]]->grow_arrays(nmax);
@@ -153,6 +158,7 @@ bigint AtomVecSpherocylinder::memory_usage()
   if (atom->memcheck("density")) bytes += memory->usage(density, nmax);
   if (atom->memcheck("rmass")) bytes += memory->usage(rmass, nmax);
   if (atom->memcheck("volume")) bytes += memory->usage(volume, nmax);
+  if (atom->memcheck("vfrac")) bytes += memory->usage(atom->vfrac, nmax);
   if (atom->memcheck("area")) bytes += memory->usage(area, nmax);
   if (atom->memcheck("omega")) bytes += memory->usage(omega, nmax, 3);
   if (atom->memcheck("torque")) bytes += memory->usage(torque, nmax * comm->nthreads, 3);

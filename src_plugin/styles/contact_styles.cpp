@@ -55,24 +55,50 @@ bool is_capillary(int cohesion)
          cohesion == COHESION_WASHINO_CAPILLARY_VISCOUS;
 }
 
-[[noreturn]] void refuse(LAMMPS *lmp)
+[[noreturn]] void refuse_linear(LAMMPS *lmp)
+{
+  LAMMPS_NS::rod_error_all(lmp,
+                           "Model linear is for rods: it must be given surface spherocylinder "
+                           "(got another surface or none; spheres have model hooke/stiffness)");
+}
+
+PairStyles::IGranularPairStyle *refuse_linear_pair(LAMMPS *lmp, PairGran *, int64_t)
+{
+  refuse_linear(lmp);
+}
+Walls::IGranularWall *refuse_linear_wall(LAMMPS *lmp, FixWallGran *, int64_t)
+{
+  refuse_linear(lmp);
+}
+
+[[noreturn]] void refuse_capillary(LAMMPS *lmp)
 {
   LAMMPS_NS::rod_error_all(lmp,
                            "Surface spherocylinder cannot be used with a capillary cohesion model "
                            "(expected cohesion off, sjkr or sjkr2)");
 }
 
-PairStyles::IGranularPairStyle *refuse_pair(LAMMPS *lmp, PairGran *, int64_t) { refuse(lmp); }
-Walls::IGranularWall *refuse_wall(LAMMPS *lmp, FixWallGran *, int64_t) { refuse(lmp); }
+PairStyles::IGranularPairStyle *refuse_capillary_pair(LAMMPS *lmp, PairGran *, int64_t)
+{
+  refuse_capillary(lmp);
+}
+Walls::IGranularWall *refuse_capillary_wall(LAMMPS *lmp, FixWallGran *, int64_t)
+{
+  refuse_capillary(lmp);
+}
 
 // Every other combination, by LIGGGHTS's run-time dispatched model.
 void add_general(const std::set<int64_t> &registered)
 {
   using Model = ContactModel<GranStyle<>>;
+#define SURFACE_MODEL(identifier, name, id) id,
 #define NORMAL_MODEL(identifier, name, id) id,
 #define TANGENTIAL_MODEL(identifier, name, id) id,
 #define COHESION_MODEL(identifier, name, id) id,
 #define ROLLING_MODEL(identifier, name, id) id,
+  const int surfaces[] = {
+#include "style_surface_model.h"
+  };
   const int normals[] = {
 #include "style_normal_model.h"
   };
@@ -88,24 +114,36 @@ void add_general(const std::set<int64_t> &registered)
       ROLLING_OFF,
 #include "style_rolling_model.h"
   };
+#undef SURFACE_MODEL
 #undef NORMAL_MODEL
 #undef TANGENTIAL_MODEL
 #undef COHESION_MODEL
 #undef ROLLING_MODEL
 
-  for (const int normal : normals)
+  auto &pairs = PairStyles::Factory::instance();
+  auto &walls = Walls::Factory::instance();
+  const auto for_each_minor = [&](int normal, int surface, auto &&action) {
     for (const int tangential : tangentials)
       for (const int cohesion : cohesions)
-        for (const int rolling : rollings) {
-          const int64_t hash = Utils::generate_gran_hashcode(normal, tangential, cohesion, rolling,
-                                                             SURFACE_SPHEROCYLINDER);
-          if (registered.count(hash)) continue;
-          const bool refused = is_capillary(cohesion);
-          PairStyles::Factory::instance().addStyle(kStyle, hash,
-                                                   refused ? &refuse_pair : &create_pair<Model>);
-          Walls::Factory::instance().addStyle(kStyle, hash,
-                                              refused ? &refuse_wall : &create_wall<Model>);
-        }
+        for (const int rolling : rollings)
+          action(Utils::generate_gran_hashcode(normal, tangential, cohesion, rolling, surface),
+                 cohesion);
+  };
+
+  for (const int normal : normals)
+    for_each_minor(normal, SURFACE_SPHEROCYLINDER, [&](int64_t hash, int cohesion) {
+      if (registered.count(hash)) return;
+      const bool refused = is_capillary(cohesion);
+      pairs.addStyle(kStyle, hash, refused ? &refuse_capillary_pair : &create_pair<Model>);
+      walls.addStyle(kStyle, hash, refused ? &refuse_capillary_wall : &create_wall<Model>);
+    });
+  for (const int surface : surfaces) {
+    if (surface == SURFACE_SPHEROCYLINDER) continue;
+    for_each_minor(NORMAL_LINEAR, surface, [&](int64_t hash, int) {
+      pairs.addStyle(kStyle, hash, &refuse_linear_pair);
+      walls.addStyle(kStyle, hash, &refuse_linear_wall);
+    });
+  }
 }
 
 }  // namespace

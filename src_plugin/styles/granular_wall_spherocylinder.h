@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
+#include <utility>
 
 #include "atom.h"
 #include "core/contact_kinematics.h"
@@ -89,6 +89,7 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
     spherocylinder::Vec3 radial;  // cylinders: from the cylinder's axis to the end (m)
   };
 
+  static spherocylinder::Vec3 radial_at(PrimitiveWall &wall, const spherocylinder::Vec3 &point);
   bool find_surface(PrimitiveWall &wall, int i, const spherocylinder::Vec3 &arm,
                     Surface &surface) const;
   EndContact end_contact(PrimitiveWall &wall, const Surface &surface,
@@ -100,6 +101,19 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
               double normal_force) const;
 };
 
+// From the axis of a cylinder to a point (m).
+template <typename ContactModel>
+spherocylinder::Vec3 GranularSpherocylinder<ContactModel>::radial_at(
+    PrimitiveWall &wall, const spherocylinder::Vec3 &point)
+{
+  double position[3], radial[3];
+  spherocylinder::store(point, position);
+  wall.calcRadialDistance(position, radial);
+  // LIGGGHTS gives x and z of a ycylinder in each other's place.
+  if (wall.axis() == 1) std::swap(radial[0], radial[2]);
+  return spherocylinder::load(radial);
+}
+
 // False if no side of the wall can be told to be the rod's: its centre lies in the plane, or it
 // stands on the cylinder's axis, where it touches nothing. `arm` reaches to one of its ends.
 template <typename ContactModel>
@@ -108,7 +122,8 @@ bool GranularSpherocylinder<ContactModel>::find_surface(PrimitiveWall &wall, int
                                                         Surface &surface) const
 {
   using namespace spherocylinder;
-  double to_wall[3] = {}, radial[3] = {}, point[3];
+  double to_wall[3] = {};
+  const Vec3 centre = load(atom->x[i]);
   surface.is_cylinder = wall.axis() >= 0;
   if (!surface.is_cylinder) {
     wall.resolveContact(atom->x[i], 0.0, to_wall);
@@ -120,15 +135,16 @@ bool GranularSpherocylinder<ContactModel>::find_surface(PrimitiveWall &wall, int
 
   // LIGGGHTS gives the way to the nearest point of the cylinder; its radius follows from that at
   // any point off the axis: the rod's centre, else its end.
-  store(load(atom->x[i]), point);
-  if (wall.calcRadialDistance(point, radial) == 0.0) {
-    store(load(atom->x[i]) + arm, point);
-    if (wall.calcRadialDistance(point, radial) == 0.0) return false;
-  }
+  const Vec3 radial_of_centre = radial_at(wall, centre);
+  const bool on_axis = norm_squared(radial_of_centre) == 0.0;
+  const Vec3 off_axis = on_axis ? centre + arm : centre;
+  const Vec3 radial = radial_at(wall, off_axis);
+  if (norm_squared(radial) == 0.0) return false;
+  double point[3];
+  store(off_axis, point);
   wall.resolveContact(point, 0.0, to_wall);
-  surface.distance = norm(load(radial) + load(to_wall));
-  wall.calcRadialDistance(atom->x[i], radial);
-  if (norm(load(radial)) > surface.distance)
+  surface.distance = norm(radial + load(to_wall));
+  if (norm(radial_of_centre) > surface.distance)
     rod_error_one(lmp,
                   "Fix wall/gran (id %s): rod %d is outside the cylinder at step " BIGINT_FORMAT
                   "; rods know planes and the inside of cylinders only",
@@ -147,11 +163,10 @@ GranularSpherocylinder<ContactModel>::end_contact(PrimitiveWall &wall, const Sur
   if (!surface.is_cylinder)
     return {surface.distance + dot(arm, surface.normal), surface.normal, Vec3{0.0, 0.0, 0.0}};
 
-  double point[3], radial[3];
-  store(centre + arm, point);
-  const double from_axis = wall.calcRadialDistance(point, radial);
-  if (from_axis == 0.0) return {surface.distance, Vec3{0.0, 0.0, 0.0}, Vec3{0.0, 0.0, 0.0}};
-  return {surface.distance - from_axis, (-1.0 / from_axis) * load(radial), load(radial)};
+  const Vec3 radial = radial_at(wall, centre + arm);
+  const double from_axis = norm(radial);
+  if (from_axis == 0.0) return {surface.distance, Vec3{0.0, 0.0, 0.0}, radial};
+  return {surface.distance - from_axis, (-1.0 / from_axis) * radial, radial};
 }
 
 // vwall is the velocity LIGGGHTS worked out at the rod's centre. A wall that turns about its

@@ -100,14 +100,15 @@ void LAMMPS_NS::check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods)
   const Atom *atom = lmp->atom;
   for (int i = 0; i < atom->nlocal; i++) {
     const double *shape = atom->shape[i];
-    if (atom->radius[i] != shape[2])
-      rod_error_one(lmp,
-                    "Atom style spherocylinder: rod %d has bounding radius %g but half length %g; "
-                    "a rod's size cannot be changed by set diameter, define it in the data file or "
-                    "the particle template",
-                    atom->tag[i], atom->radius[i], shape[2]);
     const spherocylinder::MassProperties wanted =
         spherocylinder::mass_properties(2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
+    if (atom->radius[i] != shape[2] || differs(atom->volume[i], wanted.volume) ||
+        atom->vfrac[i] != 0.0)
+      rod_error_one(lmp,
+                    "Atom style spherocylinder: the size of rod %d (length %g, diameter %g) cannot "
+                    "be changed by set diameter or set volume; define it in the data file or the "
+                    "particle template",
+                    atom->tag[i], 2.0 * shape[2], 2.0 * shape[0]);
     if (differs(atom->inertia[i][0], wanted.inertia_transverse)) {
       rods.set_rod(i, 2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
     } else if (differs(atom->rmass[i], wanted.mass)) {
