@@ -16,6 +16,30 @@ void keep_nearer(ClosestPoints &best, const ClosestPoints &candidate)
   if (candidate.distance_squared < best.distance_squared) best = candidate;
 }
 
+ClosestPoints end_of_i(const Segment &i, double s, const Segment &j)
+{
+  return pair_at(i, s, j, closest_position(j, i.at(s)));
+}
+
+ClosestPoints end_of_j(const Segment &i, const Segment &j, double t)
+{
+  return pair_at(i, closest_position(i, j.at(t)), j, t);
+}
+
+ClosestPoints best_end(const Segment &i, const Segment &j)
+{
+  const double hi = i.half_length, hj = j.half_length;
+  ClosestPoints best = end_of_i(i, -hi, j);
+  keep_nearer(best, end_of_i(i, hi, j));
+  keep_nearer(best, end_of_j(i, j, -hj));
+  keep_nearer(best, end_of_j(i, j, hj));
+  return best;
+}
+
+// Rounding of s_scaled, t_scaled and the determinant below: a few epsilon of a few products of unit
+// vectors and |between|.
+constexpr double kRounding = 16.0 * 2.3e-16;
+
 }  // namespace
 
 ClosestPoints closest_points(const Segment &i, const Segment &j)
@@ -27,10 +51,14 @@ ClosestPoints closest_points(const Segment &i, const Segment &j)
   const double determinant = norm_squared(normal);
   const double s_scaled = dot(cross(between, j.axis), normal);
   const double t_scaled = dot(cross(between, i.axis), normal);
+  const double hi = i.half_length, hj = j.half_length;
 
-  // Strict: a zero determinant fails both tests and leaves the rim to decide.
-  if (std::fabs(s_scaled) < i.half_length * determinant &&
-      std::fabs(t_scaled) < j.half_length * determinant) {
+  // How far outside its segment each coordinate is, times the determinant.
+  const double s_outside = std::fabs(s_scaled) - hi * determinant;
+  const double t_outside = std::fabs(t_scaled) - hj * determinant;
+
+  // Strict: a zero determinant fails both tests and leaves the ends to decide.
+  if (s_outside < 0.0 && t_outside < 0.0) {
     // For nearly parallel rods s is uncertain along a valley where the distance hardly changes.
     // Projecting onto the partner keeps the pair at the bottom of that valley.
     const double t = closest_position(j, i.at(s_scaled / determinant));
@@ -38,11 +66,17 @@ ClosestPoints closest_points(const Segment &i, const Segment &j)
     return pair_at(i, s, j, t);
   }
 
-  const double hi = i.half_length, hj = j.half_length;
-  ClosestPoints best = pair_at(i, -hi, j, closest_position(j, i.at(-hi)));
-  keep_nearer(best, pair_at(i, hi, j, closest_position(j, i.at(hi))));
-  keep_nearer(best, pair_at(i, closest_position(i, j.at(-hj)), j, -hj));
-  keep_nearer(best, pair_at(i, closest_position(i, j.at(hj)), j, hj));
+  // The minimum on the rim is on a side that the critical point lies beyond: from any other side
+  // one could step towards the critical point, inside the rectangle and downhill. Where rounding
+  // could have put the critical point on the wrong side, all four ends are asked.
+  const double size = std::fabs(between.x) + std::fabs(between.y) + std::fabs(between.z) + hi + hj;
+  const double uncertain = kRounding * size;
+  if (std::fabs(s_outside) <= uncertain || std::fabs(t_outside) <= uncertain)
+    return best_end(i, j);
+  if (t_outside < 0.0) return end_of_i(i, std::copysign(hi, s_scaled), j);
+  if (s_outside < 0.0) return end_of_j(i, j, std::copysign(hj, t_scaled));
+  ClosestPoints best = end_of_i(i, std::copysign(hi, s_scaled), j);
+  keep_nearer(best, end_of_j(i, j, std::copysign(hj, t_scaled)));
   return best;
 }
 
