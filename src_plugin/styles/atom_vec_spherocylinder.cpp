@@ -75,6 +75,7 @@ void AtomVecSpherocylinder::init()
   check_rods_after_set(lmp, *this);
   check_templates_make_rods(lmp);
   check_contact_styles_know_rods(lmp);
+  check_computes_know_rods(lmp);
   check_each_rod_is_integrated_once(lmp);
 }
 

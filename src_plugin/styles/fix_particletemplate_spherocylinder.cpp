@@ -56,10 +56,10 @@ FixParticletemplateSpherocylinder::FixParticletemplateSpherocylinder(LAMMPS *lmp
                         StockArguments(narg, arg).values())
 {
   rods_of(lmp, "Fix particletemplate/spherocylinder");
+  parse_rod_keywords(narg, arg);
   StockArguments stock(narg, arg);
   if (iarg < stock.count())
     rod_error_all(lmp, "Fix %s (id %s): unknown keyword %s", style, id, stock.values()[iarg]);
-  parse_rod_keywords(narg, arg);
 
   density_ = expectancy(pdf_density);
   const spherocylinder::MassProperties properties =

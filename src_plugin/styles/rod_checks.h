@@ -29,6 +29,8 @@ void check_templates_make_rods(LAMMPS *lmp);
 // Without our surface model the stock pair and wall would use the rods' bounding spheres.
 void check_contact_styles_know_rods(LAMMPS *lmp);
 
+void check_computes_know_rods(LAMMPS *lmp);
+
 void check_each_rod_is_integrated_once(LAMMPS *lmp);
 
 }  // namespace LAMMPS_NS
