@@ -13,6 +13,7 @@
 
 #include "atom.h"
 #include "error.h"
+#include "host_version.h"
 #include "lammps.h"
 #include "style_table.h"
 #include "universe.h"
@@ -27,9 +28,8 @@ Function next_symbol(const char *mangled_name)
   void *symbol = dlsym(RTLD_NEXT, mangled_name);
   if (!symbol) {
     fprintf(stderr,
-            "ERROR: libspherocylinder: this program has no %s; it is not LIGGGHTS "
-            SPHEROCYLINDER_HOST_VERSION ", which is wanted\n",
-            mangled_name);
+            "ERROR: libspherocylinder: host program must be LIGGGHTS %s (got one without %s)\n",
+            spherocylinder::kHostVersion, mangled_name);
     exit(1);
   }
   return reinterpret_cast<Function>(symbol);
@@ -38,12 +38,10 @@ Function next_symbol(const char *mangled_name)
 void check_host(LAMMPS_NS::LAMMPS *lmp)
 {
   const char *version = lmp->universe->version;
-  if (version && strstr(version, SPHEROCYLINDER_HOST_VERSION)) return;
+  if (spherocylinder::is_supported_host(version)) return;
   char text[300];
-  snprintf(text, sizeof(text),
-           "libspherocylinder: host program must be LIGGGHTS " SPHEROCYLINDER_HOST_VERSION
-           " (got %s)",
-           version ? version : "no version");
+  snprintf(text, sizeof(text), "libspherocylinder: host program must be LIGGGHTS %s (got %s)",
+           spherocylinder::kHostVersion, version ? version : "no version");
   lmp->error->all(FLERR, text);
 }
 

@@ -168,11 +168,16 @@ void LAMMPS_NS::check_computes_know_rods(LAMMPS *lmp)
 {
   for (int i = 0; i < lmp->modify->ncompute; i++) {
     Compute *compute = lmp->modify->compute[i];
-    if (strcmp(compute->style, "wall/gran/local") == 0 || strcmp(compute->style, "contact/atom") == 0)
+    if (strcmp(compute->style, "contact/atom") == 0)
       rod_error_all(lmp,
-                    "Compute %s (id %s) is not available with atom_style spherocylinder%s",
-                    compute->style, compute->id,
-                    compute->style[0] == 'c' ? " (expected contact/spherocylinder)" : "");
+                    "Compute contact/atom (id %s) would count the rods' bounding spheres (expected "
+                    "contact/spherocylinder)",
+                    compute->id);
+    if (strcmp(compute->style, "wall/gran/local") == 0)
+      rod_error_all(lmp,
+                    "Compute wall/gran/local (id %s) is not available with atom_style "
+                    "spherocylinder (expected store_force yes in fix wall/gran)",
+                    compute->id);
     auto *local = dynamic_cast<ComputePairGranLocal *>(compute);
     if (local && (local->offset_delta() >= 0 || local->offset_contact_point() >= 0 ||
                   local->offset_fn() >= 0 || local->offset_ft() >= 0))
