@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <stdexcept>
 
 #include "core/rotation.h"
@@ -31,6 +32,8 @@ std::string name_of(Mode mode)
 {
   return mode == Mode::OneRank ? "OneRank" : mode == Mode::TwoRanks ? "TwoRanks" : "Restarted";
 }
+
+void PrintTo(Mode mode, std::ostream *out) { *out << name_of(mode); }
 
 std::string data_file(const Scene &scene)
 {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,7 @@ enum class Mode {
 };
 
 std::string name_of(Mode mode);
+void PrintTo(Mode mode, std::ostream *out);  // for GoogleTest
 
 // A rod's line and velocity for a data file, and a whole file.
 std::string data_file(const Scene &scene);

@@ -1,1 +1,238 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Random insertion by LIGGGHTS's insert/pack from rod templates.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "claim.h"
+#include "scene.h"
+
+using namespace decks;
+
+namespace {
+
+// Distance of two segments by search, with nothing in common with the plug-in: for a point of the
+// first the nearest of the second is a clamp; the distance is convex along the first, so that
+// golden-section search finds its minimum (to 10^-9 of the length).
+double slow_distance(const Rod &a, const Rod &b)
+{
+  const auto distance_at = [&](double s) {
+    const Vec3 from = a.position + s * a.axis - b.position;
+    const double h = b.half_cylinder();
+    const double t = std::max(-h, std::min(h, dot(from, b.axis)));
+    return norm(from - t * b.axis);
+  };
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double lo = -a.half_cylinder(), hi = a.half_cylinder();
+  for (int k = 0; k < 45; k++) {
+    const double width = hi - lo;
+    if (distance_at(hi - golden * width) < distance_at(lo + golden * width))
+      hi = lo + golden * width;
+    else
+      lo = hi - golden * width;
+  }
+  return std::min({distance_at(0.5 * (lo + hi)), distance_at(-a.half_cylinder()),
+                   distance_at(a.half_cylinder())});
+}
+
+// Smallest gap between the surfaces of any two rods; `period` of a cubic periodic box, 0 if none.
+double smallest_gap(const std::vector<Rod> &rods, double period = 0.0)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < rods.size(); i++)
+    for (size_t j = i + 1; j < rods.size(); j++) {
+      Rod image = rods[j];
+      if (period > 0.0) {
+        const Vec3 d = image.position - rods[i].position;
+        image.position = image.position - period * Vec3{std::round(d.x / period),
+                                                        std::round(d.y / period),
+                                                        std::round(d.z / period)};
+      }
+      const double bound = 0.5 * (rods[i].length + image.length);
+      if (norm(image.position - rods[i].position) > bound) continue;
+      smallest = std::min(smallest, slow_distance(rods[i], image) - rods[i].radius() -
+                                        image.radius());
+    }
+  return smallest;
+}
+
+struct Insertion {
+  std::string boundary = "f f f";
+  std::string region = "cylinder z 0.0 0.0 0.1 0.0 0.4";
+  std::string templates =
+      "fix rod all particletemplate/spherocylinder 15485863 atom_type 1 density constant 2700 "
+      "radius constant 0.005 length constant 0.1 all_in_region vessel\n";
+  std::string distribution = "1 rod 1.0";
+  std::string amount = "particles_in_region 60";
+  int seed = 86028121;
+};
+
+std::string insertion_deck(const Insertion &insertion, int ranks)
+{
+  return fmt::format(R"(atom_style spherocylinder
+atom_modify map array
+boundary {}
+newton off
+communicate single vel yes
+units si
+{}region box block -0.2 0.2 -0.2 0.2 0.0 0.4 units box
+create_box 1 box
+region vessel {} units box
+neighbor 0.01 bin
+neigh_modify delay 0
+{}{}fix motion all nve/spherocylinder
+compute contacts all contact/spherocylinder
+timestep 1e-5
+{}fix mixture all particledistribution/discrete 32452843 {}
+fix pack all insert/pack seed {} distributiontemplate mixture insert_every once &
+  overlapcheck yes orientation random all_in no maxattempt 1000 &
+  vel constant 0.0 0.0 0.0 region vessel {}
+thermo 1
+thermo_style custom step atoms
+{}run 1
+)",
+                     insertion.boundary, ranks > 1 ? "processors 2 1 1\n" : "", insertion.region,
+                     linear_material(1e5, 1e5, 0.5, 0.2), rod_pair("linear tangential history"),
+                     insertion.templates, insertion.distribution, insertion.seed,
+                     insertion.amount, exact_dump("dump.rods", 1, kFrameColumns));
+}
+
+std::vector<Rod> insert(const Insertion &insertion, int ranks = 1)
+{
+  const DeckFolder folder;
+  folder.write("in.insert", insertion_deck(insertion, ranks));
+  const Outcome outcome = folder.run("in.insert", {Program::Lmp, ranks});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  if (outcome.exit_code != 0) return {};
+  return read_frames(folder / "dump.rods", Scene()).back().rods;
+}
+
+class Ranks : public testing::TestWithParam<int> {};
+
+TEST_P(Ranks, VesselIsFilledWithoutOverlap)
+{
+  const std::vector<Rod> rods = insert(Insertion(), GetParam());
+  ASSERT_EQ(rods.size(), 60u);
+  EXPECT_GT(smallest_gap(rods), 0.0);
+  for (const Rod &rod : rods)
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 end = rod.position + side * rod.half_cylinder() * rod.axis;
+      EXPECT_LE(std::hypot(end.x, end.y) + rod.radius(), 0.1 + 1e-12);
+      EXPECT_GE(end.z - rod.radius(), -1e-12);
+      EXPECT_LE(end.z + rod.radius(), 0.4 + 1e-12);
+    }
+}
+
+TEST_P(Ranks, PeriodicBoxIsFilledWithoutOverlapAcrossItsBoundaries)
+{
+  Insertion insertion;
+  insertion.boundary = "p p p";
+  insertion.region = "block -0.2 0.2 -0.2 0.2 0.0 0.4";
+  insertion.templates =
+      "fix rod all particletemplate/spherocylinder 15485863 atom_type 1 density constant 2700 "
+      "radius constant 0.005 length constant 0.1\n";
+  insertion.amount = "particles_in_region 600";
+  const std::vector<Rod> rods = insert(insertion, GetParam());
+  ASSERT_EQ(rods.size(), 600u);
+  EXPECT_GT(smallest_gap(rods, 0.4), 0.0);
+}
+
+// So few rods that hardly one is rejected: then their directions are those drawn. Isotropic:
+// <|u_i|> = 1/2 with variance 1/12, <u_i^2> = 1/3 with variance 4/45, for each i. The seeds are
+// fixed, so that this does not fail by chance.
+TEST_P(Ranks, OrientationsAreIsotropic)
+{
+  Insertion insertion;
+  insertion.region = "block -0.2 0.2 -0.2 0.2 0.0 0.4";
+  insertion.templates =
+      "fix rod all particletemplate/spherocylinder 15485863 atom_type 1 density constant 2700 "
+      "radius constant 0.001 length constant 0.02\n";
+  insertion.amount = "particles_in_region 1000";
+  const std::vector<Rod> rods = insert(insertion, GetParam());
+  ASSERT_EQ(rods.size(), 1000u);
+  const double n = static_cast<double>(rods.size());
+  Vec3 mean{0.0, 0.0, 0.0}, mean_square{0.0, 0.0, 0.0};
+  for (const Rod &rod : rods) {
+    const Vec3 &u = rod.axis;
+    mean = mean + (1.0 / n) * Vec3{std::fabs(u.x), std::fabs(u.y), std::fabs(u.z)};
+    mean_square = mean_square + (1.0 / n) * Vec3{u.x * u.x, u.y * u.y, u.z * u.z};
+  }
+  double deviations = 0.0;
+  for (const double m : {mean.x, mean.y, mean.z})
+    deviations = std::max(deviations, std::fabs(m - 0.5) / std::sqrt(1.0 / 12.0 / n));
+  for (const double m : {mean_square.x, mean_square.y, mean_square.z})
+    deviations = std::max(deviations, std::fabs(m - 1.0 / 3.0) / std::sqrt(4.0 / 45.0 / n));
+  expect_holds({"Inserted rods: isotropy, standard deviations of mean abs(u_i), u_i^2",
+                "1/2, 1/3", 3.0},
+               deviations);
+}
+
+// 70 % rods of two sizes and 30 % spheres.
+TEST_P(Ranks, SeveralTemplates)
+{
+  Insertion insertion;
+  insertion.templates =
+      "fix long all particletemplate/spherocylinder 15485863 atom_type 1 density constant 2700 "
+      "radius constant 0.004 length constant 0.08 all_in_region vessel\n"
+      "fix short all particletemplate/spherocylinder 15485867 atom_type 1 density constant 1000 "
+      "radius constant 0.005 length constant 0.03 all_in_region vessel\n"
+      "fix ball all particletemplate/spherocylinder 32452867 atom_type 1 density constant 2700 "
+      "radius constant 0.006 length constant 0.012 all_in_region vessel\n";
+  // Shares of the mass, as in LIGGGHTS.
+  insertion.distribution = "3 long 0.5 short 0.2 ball 0.3";
+  insertion.amount = "particles_in_region 100";
+  const std::vector<Rod> rods = insert(insertion, GetParam());
+  ASSERT_GE(rods.size(), 95u);
+  EXPECT_GT(smallest_gap(rods), 0.0);
+  int spheres = 0, long_rods = 0;
+  double mass = 0.0, mass_of_spheres = 0.0;
+  for (const Rod &rod : rods) {
+    mass += rod.mass();
+    if (rod.length == rod.diameter) mass_of_spheres += rod.mass(), spheres++;
+    if (std::fabs(rod.length - 0.08) < 1e-12) long_rods++;
+  }
+  EXPECT_GT(long_rods, 0);
+  EXPECT_GT(spheres, 0);
+  EXPECT_NEAR(mass_of_spheres / mass, 0.3, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Insertion, Ranks, testing::Values(1, 2),
+                         [](const auto &info) { return std::to_string(info.param); });
+
+TEST(Insertion, SeedsAreReproducible)
+{
+  Insertion insertion;
+  const std::vector<Rod> first = insert(insertion), again = insert(insertion);
+  insertion.seed = 49979687;
+  const std::vector<Rod> other = insert(insertion);
+  ASSERT_EQ(first.size(), again.size());
+  ASSERT_EQ(first.size(), other.size());
+  double same = 0.0, different = 0.0;
+  for (size_t i = 0; i < first.size(); i++) {
+    same += norm(first[i].position - again[i].position) + norm(first[i].axis - again[i].axis);
+    different += norm(first[i].position - other[i].position);
+  }
+  EXPECT_EQ(same, 0.0);
+  EXPECT_GT(different, 0.01);
+}
+
+// insert/pack at a second time keeps clear of the rods of the first.
+TEST(Insertion, RepeatedInsertionKeepsClear)
+{
+  const DeckFolder folder;
+  std::string deck = insertion_deck(Insertion(), 1);
+  deck.replace(deck.find("insert_every once"), 17, "insert_every 20");
+  deck.replace(deck.find("particles_in_region 60"), 22, "volumefraction_region 0.05");
+  deck += "run 100\n";
+  folder.write("in.insert", deck);
+  const Outcome outcome = folder.run("in.insert");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const std::vector<Rod> rods = read_frames(folder / "dump.rods", Scene()).back().rods;
+  EXPECT_GT(rods.size(), 70u);
+  EXPECT_GT(smallest_gap(rods), 0.0);
+}
+
+}  // namespace

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <random>
 
 #include "claim.h"
@@ -20,6 +21,8 @@ struct Models {
   const char *name;   // of the test
   const char *words;  // of the deck
 };
+
+void PrintTo(const Models &models, std::ostream *out) { *out << models.words; }
 
 class SphereLimit : public testing::TestWithParam<Models> {};
 
