@@ -57,6 +57,9 @@ FixParticletemplateSpherocylinder::FixParticletemplateSpherocylinder(LAMMPS *lmp
 {
   rods_of(lmp, "Fix particletemplate/spherocylinder");
   parse_rod_keywords(narg, arg);
+  if (relative)
+    rod_error_all(lmp, "Fix %s (id %s): relative must be no (got yes); a rod's size is given in m",
+                  style, id);
   StockArguments stock(narg, arg);
   if (iarg < stock.count())
     rod_error_all(lmp, "Fix %s (id %s): unknown keyword %s", style, id, stock.values()[iarg]);

@@ -43,10 +43,14 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     const bool understood = settings.parseArguments(nargs, args);
     model_.postSettings(hsetup);
     if (!understood) error->all(FLERR, settings.error_message.c_str());
+    has_settings_ = true;
   }
 
   void init_granular() override
   {
+    if (!has_settings_)
+      rod_error_all(lmp, "Pair gran with surface spherocylinder: a restart file does not hold its "
+                         "keywords, give pair_style and pair_coeff again after read_restart");
     AtomVecSpherocylinder &rods = rods_of(lmp, "Pair gran with surface spherocylinder");
     if (force->newton_pair)
       rod_error_all(lmp, "Pair gran with surface spherocylinder requires newton off (got newton on)");
@@ -85,7 +89,8 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
  private:
   ContactModel model_;
   ContactMonitor monitor_;
-  int side_offset_ = -1;  // of the remembered normal in a pair's history, -1 if none
+  bool has_settings_ = false;  // false for a pair style made by read_restart
+  int side_offset_ = -1;       // of the remembered normal in a pair's history, -1 if none
 
   // What a contact needs of a rod's motion.
   struct Motion {
