@@ -12,6 +12,7 @@
 #include "styles/compute_contact_spherocylinder.h"
 #include "styles/compute_erotate_spherocylinder.h"
 #include "styles/contact_styles.h"
+#include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
@@ -61,6 +62,7 @@ void add_styles(LAMMPS *lmp)
   auto &computes = *(lmp->modify->*member(ComputeMap()));
 #define FIX_CLASS
 #define FixStyle(key, Class) fixes[#key] = &create_fix<Class>;
+#include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
@@ -89,7 +91,8 @@ const char *banner()
 {
   return "Sphero-cylinders for LIGGGHTS " SPHEROCYLINDER_VERSION
          ": atom_style spherocylinder, surface spherocylinder, model linear, "
-         "fix nve/spherocylinder limit/omega particletemplate/spherocylinder, "
+         "fix nve/spherocylinder limit/omega check/timestep/spherocylinder "
+         "particletemplate/spherocylinder, "
          "compute erotate/spherocylinder contact/spherocylinder\n";
 }
 

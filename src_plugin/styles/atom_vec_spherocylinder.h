@@ -11,6 +11,7 @@ AtomStyle(spherocylinder, AtomVecSpherocylinder)
 #include <memory>
 
 #include "atom_vec.h"
+#include "contact_rates.h"
 #include "core/capsule.h"
 #include "core/rotation.h"
 
@@ -76,6 +77,9 @@ class AtomVecSpherocylinder : public AtomVec {
   // the run began; this rank's contacts.
   double largest_overlap = 0.0;
 
+  // Filled by the contacts while a fix has it active.
+  ContactRates &contact_rates() { return contact_rates_; }
+
   // Rods that random insertion must keep clear of, shared by all templates of one insertion.
   RodInsertionList &insertion_list();
 
@@ -86,6 +90,7 @@ class AtomVecSpherocylinder : public AtomVec {
   double *radius, *density, *rmass, *volume, *area;
   double **omega, **torque, **angmom;
   double **shape, **blockiness, **inertia, **quaternion;
+  ContactRates contact_rates_;
   std::unique_ptr<RodInsertionList> insertion_list_;
 
   template <bool VELOCITY>

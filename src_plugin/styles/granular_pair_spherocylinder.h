@@ -57,6 +57,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     model_.connectToProperties(force->registry);
     side_offset_ = model_.get_history_offset("rod_normal");
     monitor_.reset(rods);
+    has_tangential_ = has_tangential_model(model_);
   }
 
   void write_restart_settings(FILE *fp) override
@@ -89,6 +90,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
  private:
   ContactModel model_;
   ContactMonitor monitor_;
+  bool has_tangential_ = false;
   bool has_settings_ = false;  // false for a pair style made by read_restart
   int side_offset_ = -1;       // of the remembered normal in a pair's history, -1 if none
 
@@ -216,6 +218,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   sidata.v_i = velocity_i;
   sidata.v_j = velocity_j;
   model_.beginPass(sidata, i_forces, j_forces);
+  ContactRates *rates = monitor_.rates();
 
   for (const CloseRodPairs::Entry &entry : close_pairs_.entries()) {
     const int i = entry.i, j = entry.j;
@@ -263,6 +266,13 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
     model_.endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;
     monitor_.look(sidata, reach);
+    if (rates) {
+      const double kt = has_tangential_ ? sidata.kt : 0.0;
+      rates->add(i, 2.0, sidata.kn, kt, motion_i.inverse, 1.0 / atom->inertia[i][2],
+                 rod_i.segment.axis, arm_i, sidata.cri, normal);
+      rates->add(j, 2.0, sidata.kn, kt, motion_j.inverse, 1.0 / atom->inertia[j][2],
+                 rod_j.segment.axis, arm_j, sidata.crj, -normal);
+    }
 
     add_to(i_forces.delta_torque, cross(arm_i, load(i_forces.delta_F)));
     add_to(j_forces.delta_torque, cross(arm_j, load(j_forces.delta_F)));

@@ -58,6 +58,7 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
     AtomVecSpherocylinder &rods = rods_of(lmp, "Fix wall/gran with surface spherocylinder");
     for (ContactModel &model : models_) model.connectToProperties(force->registry);
     monitor_.reset(rods);
+    has_tangential_ = has_tangential_model(models_[0]);
   }
 
   bool checkSurfaceIntersect(SurfacesIntersectData &) override { return true; }
@@ -75,6 +76,7 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
   FixWallGran *parent_;
   ContactModel models_[2];  // one an end
   ContactMonitor monitor_;
+  bool has_tangential_ = false;
 
   // The wall as the rod's centre sees it.
   struct Surface {
@@ -232,8 +234,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     sidata.deltan = radius - contact.distance;
     store(contact.normal, sidata.en);
     store(contact.distance * contact.normal, sidata.delta);
-    sidata.meff = 1.0 / inverse_effective_mass(atom->rmass[i], atom->inertia[i][0], arm,
-                                               contact.normal);
+    const InverseInertia inverse = {1.0 / atom->rmass[i], 1.0 / atom->inertia[i][0]};
+    sidata.meff = 1.0 / inverse_effective_mass(inverse, arm, contact.normal);
     store(velocity_at(load(atom->v[i]), load(atom->omega[i]), arm), end_velocity);
     store(wall_velocity(surface, contact, vwall), end_wall_velocity);
 
@@ -241,6 +243,9 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;
     monitor_.look(sidata, 2.0 * radius);
+    if (ContactRates *rates = monitor_.rates())
+      rates->add(i, 1.0, sidata.kn, has_tangential_ ? sidata.kt : 0.0, inverse,
+                 1.0 / atom->inertia[i][2], axis, arm, sidata.cri, contact.normal);
 
     add_to(i_forces.delta_torque, cross(arm, load(i_forces.delta_F)));
     add_contact_load(total.delta_F, total.delta_torque, 1.0, i_forces);

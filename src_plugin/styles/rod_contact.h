@@ -22,8 +22,12 @@ constexpr double kRecommendedFraction = 0.1;
 // Warned about: more than twice the recommended step.
 constexpr double kWarnedFraction = 0.2;
 
+// An overlap beyond this share of the diameter is no contact of hard rods any more: rods pass each
+// other at 1. Warned about.
+constexpr double kWarnedOverlap = 0.5;
+
 // Watches every contact, whatever model made it: warns once a run if the time step is far too
-// long, and keeps the largest overlap.
+// long or an overlap far too deep, and keeps the largest overlap.
 class ContactMonitor : protected Pointers {
  public:
   explicit ContactMonitor(LAMMPS *lmp) : Pointers(lmp) {}
@@ -33,6 +37,7 @@ class ContactMonitor : protected Pointers {
   {
     rods_ = &rods;
     rods_->largest_overlap = 0.0;
+    overlap_warned_ = false;
     const double dt = update->dt;
     threshold_ = dt * dt / (4.0 * kWarnedFraction * kWarnedFraction);
   }
@@ -42,13 +47,30 @@ class ContactMonitor : protected Pointers {
   void look(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata, double diameter)
   {
     if (sidata.kn * threshold_ > sidata.meff) warn(sidata);
-    if (sidata.deltan > rods_->largest_overlap * diameter)
+    if (sidata.deltan > rods_->largest_overlap * diameter) {
       rods_->largest_overlap = sidata.deltan / diameter;
+      if (rods_->largest_overlap > kWarnedOverlap && !overlap_warned_) warn_overlap(sidata);
+    }
   }
+
+  ContactRates *rates() const { return rods_->contact_rates().active ? &rods_->contact_rates() : nullptr; }
 
  private:
   AtomVecSpherocylinder *rods_ = nullptr;
+  bool overlap_warned_ = false;
   double threshold_ = 0.0;  // s^2, so that stiffness * threshold_ > m_eff means too long a step
+
+  void warn_overlap(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata)
+  {
+    overlap_warned_ = true;
+    char partner[40] = "a wall";
+    if (!sidata.is_wall) snprintf(partner, sizeof(partner), "rod %d", atom->tag[sidata.j]);
+    rod_warning(lmp,
+                "Rod contacts: rod %d and %s overlap by %g of the diameter at step " BIGINT_FORMAT
+                ", more than %g; use a stiffer contact or slower rods",
+                atom->tag[sidata.i], partner, rods_->largest_overlap, update->ntimestep,
+                kWarnedOverlap);
+  }
 
   void warn(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata)
   {
@@ -62,6 +84,15 @@ class ContactMonitor : protected Pointers {
                 atom->tag[sidata.i], update->ntimestep);
   }
 };
+
+// Whether a combination of contact models has a tangential spring.
+template <typename ContactModel>
+bool has_tangential_model(ContactModel &model)
+{
+  for (const char *name : {"no_history", "history", "tan_luding"})
+    if (model.contact_match("tangential", name)) return true;
+  return false;
+}
 
 // Adds what one contact does to a rod: the models' force, their torque about the virtual sphere's
 // centre, and the force's torque about the rod's centre.

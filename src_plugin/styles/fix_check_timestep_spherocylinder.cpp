@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_check_timestep_spherocylinder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "atom.h"
+#include "atom_vec_spherocylinder.h"
+#include "comm.h"
+#include "core/capsule.h"
+#include "force.h"
+#include "rod_checks.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+namespace sc = spherocylinder;
+
+FixCheckTimestepSpherocylinder::FixCheckTimestepSpherocylinder(LAMMPS *lmp, int narg, char **arg)
+    : Fix(lmp, narg, arg)
+{
+  rods_of(lmp, "Fix check/timestep/spherocylinder");
+  if (narg < 5)
+    rod_error_all(lmp, "Fix %s (id %s): expected an interval in steps and a fraction of the stable "
+                  "step", style, id);
+  nevery = force->inumeric(FLERR, arg[3]);
+  if (nevery < 1)
+    rod_error_all(lmp, "Fix %s (id %s): the interval must be >= 1 step (got %s)", style, id, arg[3]);
+  allowed_fraction_ = force->numeric(FLERR, arg[4]);
+  if (!(allowed_fraction_ > 0.0 && allowed_fraction_ <= 1.0))
+    rod_error_all(lmp, "Fix %s (id %s): the fraction must be > 0 and <= 1 (got %s)", style, id,
+                  arg[4]);
+  parse_options(narg, arg);
+
+  vector_flag = 1;
+  size_vector = 4;
+  global_freq = nevery;
+  extvector = 0;
+}
+
+void FixCheckTimestepSpherocylinder::parse_options(int narg, char **arg)
+{
+  for (int i = 5; i < narg; i += 2) {
+    bool *option = strcmp(arg[i], "warn") == 0    ? &warn_
+                   : strcmp(arg[i], "error") == 0 ? &stop_
+                                                  : nullptr;
+    if (!option)
+      rod_error_all(lmp, "Fix %s (id %s): unknown keyword %s (expected warn or error)", style, id,
+                    arg[i]);
+    const char *value = i + 1 < narg ? arg[i + 1] : "nothing";
+    if (strcmp(value, "yes") != 0 && strcmp(value, "no") != 0)
+      rod_error_all(lmp, "Fix %s (id %s): %s must be yes or no (got %s)", style, id, arg[i], value);
+    *option = strcmp(value, "yes") == 0;
+  }
+}
+
+int FixCheckTimestepSpherocylinder::setmask() { return PRE_FORCE | END_OF_STEP; }
+
+void FixCheckTimestepSpherocylinder::init() { warned_ = false; }
+
+void FixCheckTimestepSpherocylinder::pre_force(int)
+{
+  if (update->ntimestep % nevery == 0)
+    rods_of(lmp, style).contact_rates().start(atom->nlocal + atom->nghost);
+}
+
+void FixCheckTimestepSpherocylinder::end_of_step()
+{
+  ContactRates &rates = rods_of(lmp, style).contact_rates();
+  double local[3] = {0.0, 0.0, largest_surface_move()}, all[3];
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    local[0] = std::max(local[0], rates.squared_frequency[i]);
+    local[1] = std::max(local[1], static_cast<double>(rates.contacts[i]));
+  }
+  rates.stop();
+  MPI_Allreduce(local, all, 3, MPI_DOUBLE, MPI_MAX, world);
+  stable_step_ = all[0] > 0.0 ? 2.0 / std::sqrt(all[0]) : 0.0;
+  fraction_ = all[0] > 0.0 ? update->dt / stable_step_ : 0.0;
+  most_contacts_ = all[1];
+  largest_move_ = all[2];
+
+  if (fraction_ <= allowed_fraction_) return;
+  if (stop_)
+    rod_error_all(lmp,
+                  "Fix %s (id %s): time step %g is %g of the stable step %g at step " BIGINT_FORMAT
+                  ", allowed is %g of it",
+                  style, id, update->dt, fraction_, stable_step_, update->ntimestep,
+                  allowed_fraction_);
+  if (!warn_ || warned_) return;
+  warned_ = true;
+  if (comm->me == 0)
+    rod_warning(lmp,
+                "Fix %s (id %s): time step %g is %g of the stable step %g at step " BIGINT_FORMAT
+                ", allowed is %g of it",
+                style, id, update->dt, fraction_, stable_step_, update->ntimestep,
+                allowed_fraction_);
+}
+
+double FixCheckTimestepSpherocylinder::largest_surface_move() const
+{
+  double largest = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double speed = sc::norm(sc::load(atom->v[i])) +
+                         atom->shape[i][2] * sc::norm(sc::load(atom->omega[i]));
+    largest = std::max(largest, speed * update->dt / (2.0 * atom->shape[i][0]));
+  }
+  return largest;
+}
+
+// 1: time step / stable step; 2: stable step (s); 3: most contacts of one rod; 4: largest move of a
+// rod's surface in one step over its diameter. 1 and 2 are 0 while nothing touches.
+double FixCheckTimestepSpherocylinder::compute_vector(int n)
+{
+  const double values[4] = {fraction_, stable_step_, most_contacts_, largest_move_};
+  return values[n];
+}
