@@ -151,6 +151,9 @@ std::vector<Frame> run(const Scene &scene, Mode mode, Program program)
     return read_frames(folder / "dump.scene", scene);
   }
 
+  // LIGGGHTS dumps at multiples of the interval, so that both runs must be equally long to end
+  // with one.
+  if (scene.steps % 2) throw std::invalid_argument("a restarted scene needs an even number of steps");
   const long half = scene.steps / 2;
   folder.write("in.first", start + "read_data rods.data\n" +
                                run_commands(scene, "dump.first", half) +

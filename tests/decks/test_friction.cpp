@@ -150,7 +150,7 @@ TEST_P(Friction, LadderAtItsThreshold)
   const double h = 2.0 * ladder.half_cylinder(), r = ladder.radius();
   const double threshold = h * std::cos(theta) / (2.0 * (h * std::sin(theta) + r));
   const double weight = ladder.mass() * kGravity;
-  const double times_threshold[] = {0.98, 0.995, 1.005, 1.02};
+  const double times_threshold[] = {0.98, 0.998, 1.002, 1.02};
 
   Scene scene;
   scene.types = 6;
@@ -190,11 +190,11 @@ TEST_P(Friction, LadderAtItsThreshold)
         wall_force_error, std::fabs((r + head) * kStiffness / (threshold * weight) - 1.0));
   }
   // The springs let the ladder turn by 10^-4 before it rests.
-  expect_holds({"Ladder: force on the wall, relative", "m g h cos(t)/(2 (h sin(t) + r))", 1e-3},
+  expect_holds({"Ladder: force on the wall, relative", "m g h cos(t)/(2 (h sin(t) + r))", 2e-4},
                wall_force_error);
-  // Bracketed: slips at 0.995, stands at 1.005 of it.
-  expect_holds({"Ladder: friction at which it slips, relative", "N_wall = mu m g", 5e-3},
-               times_threshold[2] - 1.0 - 1e-15);
+  // Half the width of the bracket of the rods that slip and those that stand.
+  expect_holds({"Ladder: friction at which it slips, relative", "N_wall = mu m g", 3e-3},
+               0.5 * (times_threshold[2] - times_threshold[1]));
 }
 
 DECKS_IN_ALL_MODES(Friction);
