@@ -30,7 +30,7 @@ template <typename ContactModel>
 class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
  public:
   GranularSpherocylinder(LAMMPS *lmp, PairGran *parent, const int64_t hash)
-      : Pointers(lmp), model_(lmp, parent, false, hash), monitor_(lmp)
+      : Pointers(lmp), parent_(parent), model_(lmp, parent, false, hash), monitor_(lmp)
   {
   }
 
@@ -73,6 +73,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
       error->one(FLERR, "Pair gran: restart file ends within the pair style");
     if (comm->me == 0 && (hash != -1 ? hash : stored) != model_.hashcode())
       error->one(FLERR, "Pair gran: restart file was written with other contact models");
+    model_.postSettings(parent_);  // a history as long as the stored one, until init_granular
   }
 
   bool contact_match(const std::string type, const std::string model) override
@@ -88,6 +89,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   void compute_force(PairGran *pair, int eflag, int vflag, int addflag) override;
 
  private:
+  PairGran *parent_;
   ContactModel model_;
   ContactMonitor monitor_;
   bool has_tangential_ = false;
