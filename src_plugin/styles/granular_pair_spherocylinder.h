@@ -11,6 +11,7 @@
 #include "comm.h"
 #include "core/closest_points.h"
 #include "core/contact_kinematics.h"
+#include "core/spread_contact.h"
 #include "fix_contact_property_atom.h"
 #include "force.h"
 #include "granular_pair_style.h"
@@ -40,6 +41,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   {
     Settings settings(lmp);
     model_.registerSettings(settings);
+    settings.registerOnOff("spread_contact", spread_contact_, false);
     const bool understood = settings.parseArguments(nargs, args);
     model_.postSettings(hsetup);
     if (!understood) error->all(FLERR, settings.error_message.c_str());
@@ -92,6 +94,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   PairGran *parent_;
   ContactModel model_;
   ContactMonitor monitor_;
+  bool spread_contact_ = false;  // continuous rule for nearly parallel rods
   bool has_tangential_ = false;
   bool has_settings_ = false;  // false for a pair style made by read_restart
   int side_offset_ = -1;       // of the remembered normal in a pair's history, -1 if none
@@ -107,12 +110,32 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   CloseRodPairs close_pairs_;
 
   void read_rods(int frozen_bit);
+  spherocylinder::ClosestPoints contact_points(int i, int j) const;
   void set_geometry(SurfacesIntersectData &sidata, const spherocylinder::ClosestPoints &closest,
                     bool remember) const;
   void separate(SurfacesIntersectData &sidata, ForceData &i_forces, ForceData &j_forces);
   void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
               ForceData &j_forces, int addflag) const;
 };
+
+// Where two rods touch, or would. Both ranks that see a pair across their border must get the same
+// points: of equally near ones the choice depends on the order, so it is that of the rods' ids.
+template <typename ContactModel>
+spherocylinder::ClosestPoints GranularSpherocylinder<ContactModel>::contact_points(int i,
+                                                                                   int j) const
+{
+  using namespace spherocylinder;
+  const bool in_order = atom->tag[i] < atom->tag[j];
+  const Capsule &first = rods_[in_order ? i : j], &second = rods_[in_order ? j : i];
+  ClosestPoints points = closest_points(first.segment, second.segment);
+  if (spread_contact_) {
+    const double reach = first.radius + second.radius;
+    if (points.distance_squared < reach * reach)
+      points = spherocylinder::spread_contact(first.segment, second.segment, reach, points);
+  }
+  if (in_order) return points;
+  return {points.t, points.s, -points.delta, points.distance_squared};
+}
 
 // Normal, distance and overlap of a touching pair.
 //
@@ -235,7 +258,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
       separate(sidata, i_forces, j_forces);
       continue;
     }
-    const ClosestPoints closest = closest_points(rod_i.segment, rod_j.segment);
+    const ClosestPoints closest = contact_points(i, j);
     if (closest.distance_squared >= reach * reach) {
       separate(sidata, i_forces, j_forces);
       continue;

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The contact rule for nearly parallel rods: where the closest point jumps, it must not.
+#include "core/spread_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "test_support.h"
+
+using namespace spherocylinder;
+
+namespace {
+
+constexpr double kReach = 1.0;       // two rods of diameter 1
+constexpr double kHalf = 4.5;        // lambda = 10
+constexpr double kOverlap = 0.01;    // of the rods when parallel
+
+// Rod j lies on rod i, shifted along it, tilted by `tilt` (its ends up and down) and turned by
+// `turn` (crossing it) about its centre.
+struct Scene {
+  Segment i, j;
+};
+
+Scene stacked(double tilt, double turn, double shift)
+{
+  const Vec3 axis = {std::cos(tilt) * std::cos(turn), std::cos(tilt) * std::sin(turn),
+                     std::sin(tilt)};
+  return {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, kHalf},
+          {{shift, 0.0, kReach - kOverlap}, axis, kHalf}};
+}
+
+// Unit stiffness: force on i is -overlap n, its torque about i's centre.
+struct Load {
+  Vec3 force, torque;
+};
+
+Load load_of(const Scene &scene, bool spread)
+{
+  ClosestPoints c = closest_points(scene.i, scene.j);
+  if (c.distance_squared >= kReach * kReach) return {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  if (spread) c = spread_contact(scene.i, scene.j, kReach, c);
+  const double distance = std::sqrt(c.distance_squared);
+  const Vec3 force = ((kReach - distance) / distance) * c.delta;
+  return {force, cross(c.s * scene.i.axis, force)};
+}
+
+// Largest change of the torque between neighbouring poses while an angle goes through zero in
+// steps of 1e-6 rad.
+double largest_jump(bool spread, bool tilting, double shift)
+{
+  double worst = 0.0;
+  Load last = load_of(tilting ? stacked(-5e-3, 0.0, shift) : stacked(0.0, -5e-3, shift), spread);
+  for (int k = -4999; k <= 5000; ++k) {
+    const double angle = 1e-6 * k;
+    const Load load =
+        load_of(tilting ? stacked(angle, 0.0, shift) : stacked(0.0, angle, shift), spread);
+    worst = std::max({worst, norm(load.torque - last.torque), norm(load.force - last.force)});
+    last = load;
+  }
+  return worst;
+}
+
+}  // namespace
+
+// Closed form: parallel rods touch at the middle of their common length, with the whole overlap.
+TEST(SpreadContact, ParallelRodsTouchAtTheMiddleOfTheirCommonLength)
+{
+  for (const double shift : {0.0, 1.0, -3.0, 7.0}) {
+    const Scene scene = stacked(0.0, 0.0, shift);
+    const ClosestPoints c =
+        spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
+    EXPECT_NEAR(c.s, 0.5 * shift, 1e-12);
+    EXPECT_NEAR(c.t, -0.5 * shift, 1e-12);
+    EXPECT_NEAR(std::sqrt(c.distance_squared), kReach - kOverlap, 1e-15);
+  }
+}
+
+// Two half springs at the ends resist a tilt with H^2 per radian and stiffness; the way the contact
+// moves on to one end makes it steeper, never more than five times. The closest point alone jumps by
+// overlap x H = 0.045 at zero tilt.
+TEST(SpreadContact, TorqueHasNoJumpWhereTheClosestPointJumps)
+{
+  const double steepest = 5.0 * kHalf * kHalf * 1e-6;
+  for (const double shift : {0.0, 2.0, -5.0}) {
+    EXPECT_LT(largest_jump(true, true, shift), steepest) << "tilt, shift " << shift;
+    EXPECT_LT(largest_jump(true, false, shift), steepest) << "turn, shift " << shift;
+  }
+  EXPECT_GT(largest_jump(false, true, 0.0), kOverlap * kHalf);
+}
+
+// A contact that begins or ends does so at zero force, whatever the angle.
+TEST(SpreadContact, ForceIsContinuousInTheOverlap)
+{
+  for (const double tilt : {0.0, 1e-4, 1e-3, 1e-2}) {
+    double last = 0.0;
+    for (int k = 0; k <= 2000; ++k) {
+      Scene scene = stacked(tilt, 0.3 * tilt, 1.0);
+      scene.j.centre.z = kReach + kHalf * std::sin(tilt) + 0.001 - 1e-5 * k;
+      const double force = norm(load_of(scene, true).force);
+      EXPECT_NEAR(force, last, 1.1e-5) << "tilt " << tilt << " step " << k;
+      last = force;
+    }
+  }
+}
+
+// One contact of one stiffness: the force is never above that of the closest point, and not below
+// half of it.
+TEST(SpreadContact, StiffnessIsThatOfOneContact)
+{
+  RandomRods random(15485863);
+  double lowest = 1.0;
+  for (int k = 0; k < 200000; ++k) {
+    const Scene scene = stacked(random.uniform(-0.01, 0.01) * random.uniform(0.0, 1.0),
+                                random.uniform(-0.3, 0.3) * random.uniform(0.0, 1.0),
+                                random.uniform(-8.0, 8.0));
+    const double plain = norm(load_of(scene, false).force);
+    if (plain < 1e-9) continue;
+    const double ratio = norm(load_of(scene, true).force) / plain;
+    ASSERT_LE(ratio, 1.0 + 1e-12);
+    lowest = std::min(lowest, ratio);
+  }
+  RecordProperty("lowest_ratio", std::to_string(lowest));
+  EXPECT_GT(lowest, 0.5);
+}
+
+// Crossed rods: the patch is short against the rods and the closest point is the contact.
+TEST(SpreadContact, CrossedRodsKeepTheirClosestPoint)
+{
+  const Scene scene = stacked(0.0, 1.0, 0.5);
+  const ClosestPoints plain = closest_points(scene.i, scene.j);
+  const ClosestPoints c = spread_contact(scene.i, scene.j, kReach, plain);
+  EXPECT_NEAR(c.s, plain.s, 0.02);
+  EXPECT_NEAR(std::sqrt(c.distance_squared), std::sqrt(plain.distance_squared), 1e-4);
+}
+
+// Any size: the rule has no length of its own.
+TEST(SpreadContact, Rescales)
+{
+  for (const double scale : {1e-6, 1e3}) {
+    Scene scene = stacked(1e-3, 2e-3, 1.0);
+    const ClosestPoints one =
+        spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
+    for (Segment *segment : {&scene.i, &scene.j}) {
+      segment->centre = scale * segment->centre;
+      segment->half_length *= scale;
+    }
+    const ClosestPoints other =
+        spread_contact(scene.i, scene.j, scale * kReach, closest_points(scene.i, scene.j));
+    EXPECT_NEAR(other.s / scale, one.s, 1e-9);
+    EXPECT_NEAR(other.t / scale, one.t, 1e-9);
+  }
+}
