@@ -22,9 +22,11 @@ namespace docs {
 
 namespace {
 
-// One rank starts without Open MPI's daemon; the others: root, and more ranks than cores, allowed.
+// One rank starts without Open MPI's daemon, in a session folder of its own; the others: root, and
+// more ranks than cores, allowed.
 constexpr const char *kEnvironment =
-    "OMPI_MCA_ess_singleton_isolated=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+    "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_tmpdir_base=$PWD "
+    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 "
     "OMPI_MCA_btl=self,vader OMPI_MCA_pml=ob1";
 constexpr int kTimeLimit = 30;  // of one example (unit: second)
