@@ -17,17 +17,23 @@ namespace decks {
 
 namespace {
 
-// A deck here takes a second or two; a program that waits for ever is ended (unit: second).
+// A deck here takes a second or two; a program that waits for ever is killed, because LIGGGHTS
+// only ends a run on SIGTERM (unit: second).
 constexpr int kTimeLimit = 60;
 
 // One rank without mpirun: Open MPI would start a daemon and search for networks, which takes
-// longer than most decks.
+// longer than most decks. Without the daemon all such programs share one session folder and remove
+// it from under each other, so each deck has its own.
 constexpr const char *kSingleRank =
-    "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self OMPI_MCA_pml=ob1";
+    "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self OMPI_MCA_pml=ob1 "
+    "OMPI_MCA_orte_tmpdir_base=$PWD";
 // Open MPI refuses root, and more ranks than cores, unless told; idle ranks leave the core to others.
 constexpr const char *kManyRanks =
     "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "OMPI_MCA_mpi_yield_when_idle=1 mpirun --oversubscribe --bind-to none";
+
+// In a sanitizer build: LIGGGHTS and Open MPI leave memory behind at their end, which is theirs.
+constexpr const char *kSanitizers = "ASAN_OPTIONS=detect_leaks=0";
 
 bool is_integer_column(const std::string &name)
 {
@@ -40,7 +46,7 @@ std::string command_for(const std::string &deck, const Launch &launch)
   if (launch.program == Program::Preloaded)
     program = fmt::format("env LD_PRELOAD={} {}", SPHEROCYLINDER_LIBRARY, program);
   const std::string start = launch.ranks == 1
-                                ? fmt::format("env {} timeout {}", kSingleRank, kTimeLimit)
+                                ? fmt::format("env {} timeout -s KILL {}", kSingleRank, kTimeLimit)
                                 : fmt::format("env {} --timeout {} -np {}", kManyRanks, kTimeLimit,
                                               launch.ranks);
   return fmt::format("{} {} -in {}", start, program, deck);
@@ -96,7 +102,8 @@ std::string DeckFolder::read(const std::string &name) const
 Outcome DeckFolder::run(const std::string &deck, const Launch &launch) const
 {
   const std::string command =
-      fmt::format("cd {} && {} > output.{} 2>&1", path_.string(), command_for(deck, launch), deck);
+      fmt::format("cd {} && {} {} > output.{} 2>&1", path_.string(), kSanitizers,
+                  command_for(deck, launch), deck);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, read("output." + deck)};
 }

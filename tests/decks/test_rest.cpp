@@ -69,8 +69,9 @@ TEST_P(Rest, AspectScalingMakesLongRodsStiffer)
                   kWeight;
   scene.dt = 1e-5;
   scene.steps = 30000;
+  const std::vector<Rod> after = run(scene, GetParam()).back().rods;
   double error = 0.0;
-  for (const Rod &rod : run(scene, GetParam()).back().rods) {
+  for (const Rod &rod : after) {
     const int ends = rod.length > rod.diameter ? 2 : 1;
     const double stiffness = kStiffness * rod.length / rod.diameter;
     const double sink = rod.mass() * kGravity / (ends * stiffness);

@@ -198,8 +198,9 @@ TEST(StockModels, RodsKeepTheCoefficientOfRestitution)
                     rod_pair(model + " tangential off") +
                     rod_wall("floor", model + " tangential off", "type 1 zplane 0.0") +
                     "fix motion all nve/spherocylinder\n";
+    const std::vector<Rod> after = run(scene).back().rods;
     double error = 0.0;
-    for (const Rod &rod : run(scene).back().rods) {
+    for (const Rod &rod : after) {
       const double end = rod.velocity.z + rod.omega.y * rod.half_cylinder() * rod.axis.x;
       error = std::max(error, std::fabs(end / approach / restitution - 1.0));
     }

@@ -6,13 +6,17 @@ set -eu
 build=${1:?usage: verification_table.sh BUILD_FOLDER}
 readme=$(dirname "$0")/../README.md
 table=$(mktemp)
-trap 'rm -f "$table" "$readme.new"' EXIT
+output=$(mktemp)
+trap 'rm -f "$table" "$output" "$readme.new"' EXIT
+
+# The table tells of a run in which every test passed, or of none.
+"$build/test_decks" > "$output" || { grep FAILED "$output" >&2; exit 1; }
 
 {
   echo '| case | source of the expected value | tolerance | measured error |'
   echo '|---|---|---|---|'
   # One line a claim: the largest error of all its runs (ranks, restarts, models).
-  "$build/test_decks" | awk -F ' [|] ' '
+  awk -F ' [|] ' '
     sub(/^\[ MEASURED \] /, "") {
       if (!($1 in worst)) { order[++n] = $1; source[$1] = $2; tolerance[$1] = $3; worst[$1] = $4 }
       if ($4 + 0 > worst[$1] + 0) worst[$1] = $4
@@ -20,7 +24,7 @@ trap 'rm -f "$table" "$readme.new"' EXIT
     END {
       for (i = 1; i <= n; i++)
         printf "| %s | %s | %s | %s |\n", order[i], source[order[i]], tolerance[order[i]], worst[order[i]]
-    }'
+    }' "$output"
 } > "$table"
 
 awk -v table="$table" '
