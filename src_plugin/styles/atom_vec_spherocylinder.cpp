@@ -73,6 +73,7 @@ void AtomVecSpherocylinder::init()
   AtomVec::init();
   check_atom_style_is_alone(lmp);
   check_rods_after_set(lmp, *this);
+  check_rods_fit_periodic_box(lmp);
   check_templates_make_rods(lmp);
   check_contact_styles_know_rods(lmp);
   check_computes_know_rods(lmp);

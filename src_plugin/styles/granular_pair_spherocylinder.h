@@ -287,6 +287,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
 
     i_forces.reset();
     j_forces.reset();
+    sidata.kn = sidata.kt = 0.0;  // a stock model need not set them
     model_.surfacesIntersect(sidata, i_forces, j_forces);
     model_.endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;

@@ -239,6 +239,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     store(velocity_at(load(atom->v[i]), load(atom->omega[i]), arm), end_velocity);
     store(wall_velocity(surface, contact, vwall), end_wall_velocity);
 
+    sidata.kn = sidata.kt = 0.0;  // a stock model need not set them
     models_[k].surfacesIntersect(sidata, i_forces, j_forces);
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;

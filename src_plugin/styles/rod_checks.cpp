@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "rod_checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "compute.h"
 #include "compute_pair_gran_local.h"
 #include "core/mass_properties.h"
+#include "domain.h"
 #include "error.h"
 #include "fix.h"
 #include "fix_wall_gran.h"
@@ -81,6 +83,8 @@ void LAMMPS_NS::rod_warning(LAMMPS *lmp, const char *format, ...)
   const std::string text = formatted(format, arguments);
   va_end(arguments);
   lmp->error->warning(FLERR, text.c_str());
+  // A rank other than the first has no log file, and with -screen none or FILE no screen either.
+  if (!lmp->screen && !lmp->logfile) fprintf(stderr, "WARNING: %s\n", text.c_str());
 }
 
 AtomVecSpherocylinder &LAMMPS_NS::rods_of(LAMMPS *lmp, const char *who)
@@ -119,6 +123,38 @@ void LAMMPS_NS::check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods)
                     "make %g; use set density instead of set mass",
                     atom->tag[i], atom->rmass[i], atom->density[i], wanted.mass);
     }
+  }
+}
+
+// A rod must not reach its own image, and of two rods only one pair of images may touch at a time:
+// LIGGGHTS tells contact histories apart by the rods' ids.
+void LAMMPS_NS::check_rods_fit_periodic_box(LAMMPS *lmp)
+{
+  const Domain *domain = lmp->domain;
+  double local = 0.0, longest = 0.0;
+  for (int i = 0; i < lmp->atom->nlocal; i++)
+    local = std::max(local, 2.0 * lmp->atom->radius[i]);
+  for (int i = 0; i < lmp->modify->nfix; i++)
+    if (lmp->modify->fix[i]->use_rad_for_cut_neigh_and_ghost())
+      for (int type = 1; type <= lmp->atom->ntypes; type++)
+        local = std::max(local, 2.0 * lmp->modify->fix[i]->max_rad(type));
+  MPI_Allreduce(&local, &longest, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+
+  const double period[3] = {domain->xprd, domain->yprd, domain->zprd};
+  const int periodic[3] = {domain->xperiodic, domain->yperiodic, domain->zperiodic};
+  for (int d = 0; d < 3; d++) {
+    if (!periodic[d]) continue;
+    if (period[d] <= longest)
+      rod_error_all(lmp,
+                    "Atom style spherocylinder: the box is periodic in %c with %g, wanted more than "
+                    "the longest rod's length %g (it would touch its own image)",
+                    'x' + d, period[d], longest);
+    if (period[d] <= 2.0 * longest && lmp->comm->me == 0)
+      rod_warning(lmp,
+                  "Atom style spherocylinder: the box is periodic in %c with %g; below twice the "
+                  "longest rod's length %g two rods may touch through two images at a time, whose "
+                  "contact histories cannot be told apart",
+                  'x' + d, period[d], longest);
   }
 }
 

@@ -24,6 +24,8 @@ void check_atom_style_is_alone(LAMMPS *lmp);
 // `set ... density` re-sizes the mass here; `set ... diameter` and `set ... mass` are refused.
 void check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods);
 
+void check_rods_fit_periodic_box(LAMMPS *lmp);
+
 void check_templates_make_rods(LAMMPS *lmp);
 
 // Without our surface model the stock pair and wall would use the rods' bounding spheres.
