@@ -27,7 +27,8 @@ constexpr int kTimeLimit = 60;
 constexpr const char *kSingleRank =
     "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self OMPI_MCA_pml=ob1 "
     "OMPI_MCA_orte_tmpdir_base=$PWD";
-// Open MPI refuses root, and more ranks than cores, unless told; idle ranks leave the core to others.
+// Open MPI refuses root, and more ranks than cores, unless told. Idle ranks leave the core to
+// others.
 constexpr const char *kManyRanks =
     "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "OMPI_MCA_mpi_yield_when_idle=1 mpirun --oversubscribe --bind-to none";
@@ -45,10 +46,10 @@ std::string command_for(const std::string &deck, const Launch &launch)
   std::string program = launch.program == Program::Lmp ? LMP_PROGRAM : LIGGGHTS_PROGRAM;
   if (launch.program == Program::Preloaded)
     program = fmt::format("env LD_PRELOAD={} {}", SPHEROCYLINDER_LIBRARY, program);
-  const std::string start = launch.ranks == 1
-                                ? fmt::format("env {} timeout -s KILL {}", kSingleRank, kTimeLimit)
-                                : fmt::format("env {} --timeout {} -np {}", kManyRanks, kTimeLimit,
-                                              launch.ranks);
+  const std::string start =
+      launch.ranks == 1
+          ? fmt::format("env {} timeout -s KILL {}", kSingleRank, kTimeLimit)
+          : fmt::format("env {} --timeout {} -np {}", kManyRanks, kTimeLimit, launch.ranks);
   return fmt::format("{} {} -in {}", start, program, deck);
 }
 
@@ -101,9 +102,8 @@ std::string DeckFolder::read(const std::string &name) const
 
 Outcome DeckFolder::run(const std::string &deck, const Launch &launch) const
 {
-  const std::string command =
-      fmt::format("cd {} && {} {} > output.{} 2>&1", path_.string(), kSanitizers,
-                  command_for(deck, launch), deck);
+  const std::string command = fmt::format("cd {} && {} {} > output.{} 2>&1", path_.string(),
+                                          kSanitizers, command_for(deck, launch), deck);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, read("output." + deck)};
 }

@@ -145,19 +145,19 @@ std::vector<Frame> run(const Scene &scene, Mode mode, Program program)
   folder.write("rods.data", data_file(scene));
   const std::string start = preamble(scene, mode);
   if (mode != Mode::Restarted) {
-    folder.write("in.scene", start + "read_data rods.data\n" +
-                                 run_commands(scene, "dump.scene", scene.steps));
+    folder.write("in.scene",
+                 start + "read_data rods.data\n" + run_commands(scene, "dump.scene", scene.steps));
     run_deck(folder, "in.scene", launch);
     return read_frames(folder / "dump.scene", scene);
   }
 
   // LIGGGHTS dumps at multiples of the interval, so that both runs must be equally long to end
   // with one.
-  if (scene.steps % 2) throw std::invalid_argument("a restarted scene needs an even number of steps");
+  if (scene.steps % 2)
+    throw std::invalid_argument("a restarted scene needs an even number of steps");
   const long half = scene.steps / 2;
   folder.write("in.first", start + "read_data rods.data\n" +
-                               run_commands(scene, "dump.first", half) +
-                               "write_restart half\n");
+                               run_commands(scene, "dump.first", half) + "write_restart half\n");
   folder.write("in.second", start + "read_restart half\n" +
                                 run_commands(scene, "dump.second", scene.steps - half));
   run_deck(folder, "in.first", launch);
@@ -171,7 +171,8 @@ std::vector<Frame> run(const Scene &scene, Mode mode, Program program)
 std::string pair_property(const std::string &name, int types,
                           const std::function<double(int, int)> &value)
 {
-  std::string line = fmt::format("fix {0} all property/global {0} peratomtypepair {1}", name, types);
+  std::string line =
+      fmt::format("fix {0} all property/global {0} peratomtypepair {1}", name, types);
   for (int i = 1; i <= types; i++)
     for (int j = 1; j <= types; j++) line += fmt::format(" {}", value(i, j));
   return line + "\n";
@@ -194,8 +195,7 @@ std::string rod_pair(const std::string &models)
   return fmt::format("pair_style gran model {} surface spherocylinder\npair_coeff * *\n", models);
 }
 
-std::string rod_wall(const std::string &id, const std::string &models,
-                     const std::string &primitive)
+std::string rod_wall(const std::string &id, const std::string &models, const std::string &primitive)
 {
   return fmt::format("fix {} all wall/gran model {} surface spherocylinder primitive {}\n", id,
                      models, primitive);

@@ -53,7 +53,7 @@ struct Scene {
 struct Frame {
   long step = 0;
   double time = 0.0;
-  std::vector<Rod> rods;  // in the order of the scene's
+  std::vector<Rod> rods;         // in the order of the scene's
   std::vector<double> contacts;  // with other rods, of each rod
 };
 

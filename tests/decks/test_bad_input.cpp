@@ -43,7 +43,8 @@ fix rest all property/global coefficientRestitution peratomtypepair 1 0.5
 fix fric all property/global coefficientFriction peratomtypepair 1 0.3
 pair_style gran model linear tangential history surface spherocylinder
 pair_coeff * *
-fix floor all wall/gran model linear tangential history surface spherocylinder primitive type 1 zplane 0.0
+fix floor all wall/gran model linear tangential history surface spherocylinder &
+  primitive type 1 zplane 0.0
 fix motion all nve/spherocylinder
 timestep 1e-5
 run 10
@@ -67,9 +68,12 @@ fix fric all property/global coefficientFriction peratomtypepair 1 0.3
 pair_style gran model linear tangential history surface spherocylinder
 pair_coeff * *
 fix motion all nve/spherocylinder
-fix rod all particletemplate/spherocylinder 15485863 atom_type 1 density constant 2700 radius constant 0.005 length constant 0.1 all_in_region vessel
+fix rod all particletemplate/spherocylinder 15485863 atom_type 1 density constant 2700 &
+  radius constant 0.005 length constant 0.1 all_in_region vessel
 fix mix all particledistribution/discrete 32452843 1 rod 1.0
-fix pack all insert/pack seed 86028121 distributiontemplate mix insert_every once overlapcheck yes orientation random all_in no maxattempt 100 vel constant 0.0 0.0 0.0 region vessel particles_in_region 20
+fix pack all insert/pack seed 86028121 distributiontemplate mix insert_every once &
+  overlapcheck yes orientation random all_in no maxattempt 100 vel constant 0.0 0.0 0.0 &
+  region vessel particles_in_region 20
 timestep 1e-5
 run 1
 )";
@@ -96,7 +100,8 @@ std::string edited(std::string text, const Edit &edit)
   const size_t at = text.find(find);
   EXPECT_NE(at, std::string::npos) << "no '" << find << "' in the good text";
   if (at == std::string::npos) return text;
-  return text.replace(at, find.size(), edit.find.empty() ? edit.replace + "\n" + find : edit.replace);
+  return text.replace(at, find.size(),
+                      edit.find.empty() ? edit.replace + "\n" + find : edit.replace);
 }
 
 // The lines that begin with the word.
@@ -216,8 +221,9 @@ INSTANTIATE_TEST_SUITE_P(
                  {"ata file"}}),
     input_name);
 
-const char *const kYoung = "fix young all property/global youngsModulus peratomtype 5e6\n"
-                           "fix nu all property/global poissonsRatio peratomtype 0.3\n";
+const char *const kYoung =
+    "fix young all property/global youngsModulus peratomtype 5e6\n"
+    "fix nu all property/global poissonsRatio peratomtype 0.3\n";
 const std::string kWall = "wall/gran model linear tangential history surface spherocylinder ";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -226,7 +232,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"StiffnessMissing",
                  {"fix kn all property/global kn peratomtypepair 1 1e5\n", ""},
                  {"property", "kn"}},
-        BadInput{"StiffnessZero", {"kn peratomtypepair 1 1e5", "kn peratomtypepair 1 0"}, {"kn", "> 0"}},
+        BadInput{
+            "StiffnessZero", {"kn peratomtypepair 1 1e5", "kn peratomtypepair 1 0"}, {"kn", "> 0"}},
         BadInput{"FrictionMissing",
                  {"fix fric all property/global coefficientFriction peratomtypepair 1 0.3\n", ""},
                  {"property", "coefficientFriction"}},
@@ -240,18 +247,21 @@ INSTANTIATE_TEST_SUITE_P(
                  {"pair_style gran", "surface spherocylinder"}},
         BadInput{"PairWithSurfaceDefault",
                  {"pair_style gran model linear tangential history surface spherocylinder",
-                  std::string(kYoung) + "pair_style gran model hertz tangential history surface default"},
+                  std::string(kYoung) +
+                      "pair_style gran model hertz tangential history surface default"},
                  {"pair_style gran", "surface spherocylinder"}},
         BadInput{"WallWithoutSurface",
-                 {kWall + "primitive", "wall/gran model linear tangential history primitive"},
+                 {kWall + "&\n  primitive", "wall/gran model linear tangential history primitive"},
                  {"odel linear", "surface spherocylinder"}},
         BadInput{"StockWallWithoutSurface",
-                 {"fix floor all " + kWall + "primitive",
-                  std::string(kYoung) + "fix floor all wall/gran model hertz tangential history primitive"},
+                 {"fix floor all " + kWall + "&\n  primitive",
+                  std::string(kYoung) +
+                      "fix floor all wall/gran model hertz tangential history primitive"},
                  {"wall/gran", "floor", "surface spherocylinder"}},
-        BadInput{"KeywordUnknown",
-                 {"surface spherocylinder\npair_coeff", "surface spherocylinder aspect on\npair_coeff"},
-                 {"aspect"}},
+        BadInput{
+            "KeywordUnknown",
+            {"surface spherocylinder\npair_coeff", "surface spherocylinder aspect on\npair_coeff"},
+            {"aspect"}},
         BadInput{"AtomStyleWithArguments",
                  {"atom_style spherocylinder", "atom_style spherocylinder 10"},
                  {"atom_style spherocylinder", "no arguments"}},
@@ -273,9 +283,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"LimitNegative",
                  {"", "fix lim all limit/omega -1"},
                  {"Fix limit/omega (id lim)", "must be > 0", "got -1"}},
-        BadInput{"LimitMissing",
-                 {"", "fix lim all limit/omega"},
-                 {"limit/omega (id lim)", "limit"}},
+        BadInput{
+            "LimitMissing", {"", "fix lim all limit/omega"}, {"limit/omega (id lim)", "limit"}},
         BadInput{"LimitKeywordUnknown",
                  {"", "fix lim all limit/omega 4 part axial"},
                  {"Fix limit/omega (id lim)", "part", "component"}},
@@ -296,15 +305,18 @@ INSTANTIATE_TEST_SUITE_P(
                  {"primitive type 1 zplane 0.0", "mesh n_meshes 1 meshes nothing"},
                  {"wall/gran", "floor", "mesh"}},
         BadInput{"NewtonOn", {"newton off", "newton on"}, {"newton", "off"}},
-        BadInput{"NoGhostVelocities", {"communicate single vel yes\n", ""}, {"ghost atoms store velocity"}},
+        BadInput{"NoGhostVelocities",
+                 {"communicate single vel yes\n", ""},
+                 {"ghost atoms store velocity"}},
         BadInput{"SetDiameter",
                  {"", "set group all diameter 0.02"},
                  {"rod", "set diameter", "data file"}},
         BadInput{"SetMass", {"", "set group all mass 2.0"}, {"rod", "mass 2", "set density"}},
-        BadInput{"CapillaryCohesion",
-                 {"pair_style gran model linear tangential history",
-                  "pair_style gran model linear tangential history cohesion easo/capillary/viscous"},
-                 {"urface spherocylinder", "capillary"}},
+        BadInput{
+            "CapillaryCohesion",
+            {"pair_style gran model linear tangential history",
+             "pair_style gran model linear tangential history cohesion easo/capillary/viscous"},
+            {"urface spherocylinder", "capillary"}},
         BadInput{"OtherPairStyle",
                  {"pair_style gran model linear tangential history surface spherocylinder\n"
                   "pair_coeff * *",
@@ -337,10 +349,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"LengthMissing",
                  {"length constant 0.1 ", ""},
                  {"particletemplate/spherocylinder (id rod)", "length"}},
-        BadInput{"LengthRandom",
-                 {"length constant 0.1", "length uniform 0.1 0.2"},
-                 {"particletemplate/spherocylinder (id rod)", "length must be constant",
-                  "got uniform"}},
+        BadInput{
+            "LengthRandom",
+            {"length constant 0.1", "length uniform 0.1 0.2"},
+            {"particletemplate/spherocylinder (id rod)", "length must be constant", "got uniform"}},
         BadInput{"DensityZero",
                  {"density constant 2700", "density constant 0"},
                  {"particletemplate/spherocylinder", "rod", "density"}},
@@ -350,16 +362,18 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"RegionUnknown",
                  {"all_in_region vessel", "all_in_region pot"},
                  {"particletemplate/spherocylinder (id rod)", "region pot", "not exist"}},
-        BadInput{"SeedTooSmall",
-                 {"particletemplate/spherocylinder 15485863", "particletemplate/spherocylinder 101"},
-                 {"seed", "> 10000", "prime"}},
+        BadInput{
+            "SeedTooSmall",
+            {"particletemplate/spherocylinder 15485863", "particletemplate/spherocylinder 101"},
+            {"seed", "> 10000", "prime"}},
         BadInput{"SeedNotPrime",
                  {"particletemplate/spherocylinder 15485863",
                   "particletemplate/spherocylinder 15485864"},
                  {"seed", "> 10000", "prime"}},
-        BadInput{"RegionTooNarrow",
-                 {"region vessel block -0.2 0.2 -0.2 0.2", "region vessel block -0.2 0.2 -0.004 0.004"},
-                 {"particletemplate/spherocylinder (id rod)", "region vessel", "0.008", "0.01"}},
+        BadInput{
+            "RegionTooNarrow",
+            {"region vessel block -0.2 0.2 -0.2 0.2", "region vessel block -0.2 0.2 -0.004 0.004"},
+            {"particletemplate/spherocylinder (id rod)", "region vessel", "0.008", "0.01"}},
         BadInput{"RegionTooShort",
                  {"region vessel block -0.2 0.2 -0.2 0.2 0.0 0.4",
                   "region vessel block -0.02 0.02 -0.02 0.02 0.1 0.14"},
@@ -370,13 +384,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"AtomStyleHybrid",
                  {"atom_style spherocylinder", "atom_style hybrid spherocylinder sphere"},
                  {"spherocylinder", "atom_style spherocylinder", "got hybrid"}},
-        BadInput{"RadiusRandom",
-                 {"radius constant 0.005", "radius uniform 0.005 0.006"},
-                 {"particletemplate/spherocylinder (id rod)", "radius must be constant",
-                  "got uniform"}},
+        BadInput{
+            "RadiusRandom",
+            {"radius constant 0.005", "radius uniform 0.005 0.006"},
+            {"particletemplate/spherocylinder (id rod)", "radius must be constant", "got uniform"}},
         BadInput{"TemplateOfSpheres",
-                 {"particletemplate/spherocylinder 15485863 atom_type 1 density constant 2700 radius "
-                  "constant 0.005 length constant 0.1 all_in_region vessel",
+                 {"particletemplate/spherocylinder 15485863 atom_type 1 density constant 2700 &\n"
+                  "  radius constant 0.005 length constant 0.1 all_in_region vessel",
                   "particletemplate/sphere 15485863 atom_type 1 density constant 2700 radius "
                   "constant 0.005"},
                  {"particletemplate/sphere (id rod)", "particletemplate/spherocylinder"}}),
@@ -385,21 +399,22 @@ INSTANTIATE_TEST_SUITE_P(
 // The surface model, the integrator and the template on spheres.
 TEST(BadInput, RodStylesNeedTheRodsAtomStyle)
 {
-  const std::string spheres_deck = edited(
-      kGoodDeck, {"atom_style spherocylinder", "atom_style sphere"});
-  const std::string spheres_data = "two\n\n2 atoms\n1 atom types\n-0.5 0.5 xlo xhi\n-0.5 0.5 ylo yhi\n"
-                                   "-0.5 0.5 zlo zhi\n\nAtoms\n\n1 1 0.01 2700 0 0 0.2\n"
-                                   "2 1 0.01 2700 0 0.1 0.2\n";
+  const std::string spheres_deck =
+      edited(kGoodDeck, {"atom_style spherocylinder", "atom_style sphere"});
+  const std::string spheres_data =
+      "two\n\n2 atoms\n1 atom types\n-0.5 0.5 xlo xhi\n-0.5 0.5 ylo yhi\n"
+      "-0.5 0.5 zlo zhi\n\nAtoms\n\n1 1 0.01 2700 0 0 0.2\n"
+      "2 1 0.01 2700 0 0.1 0.2\n";
   expect_refused(spheres_deck, spheres_data,
                  {"Fix nve/spherocylinder", "atom_style spherocylinder", "got sphere"});
-  const std::string stock_integrator =
-      edited(spheres_deck, {"nve/spherocylinder", "nve/sphere"});
+  const std::string stock_integrator = edited(spheres_deck, {"nve/spherocylinder", "nve/sphere"});
   expect_refused(stock_integrator, spheres_data,
                  {"surface spherocylinder", "atom_style spherocylinder", "got sphere"});
   expect_refused(edited(stock_integrator, {"", "fix lim all limit/omega 4"}), spheres_data,
                  {"limit/omega", "atom_style spherocylinder", "got sphere"});
   expect_refused(edited(stock_integrator, {"", "compute er all erotate/spherocylinder"}),
-                 spheres_data, {"erotate/spherocylinder", "atom_style spherocylinder", "got sphere"});
+                 spheres_data,
+                 {"erotate/spherocylinder", "atom_style spherocylinder", "got sphere"});
   expect_refused(edited(kGoodInsertion, {"atom_style spherocylinder", "atom_style sphere"}), "",
                  {"spherocylinder", "atom_style spherocylinder", "got sphere"});
 }
@@ -410,7 +425,8 @@ TEST(BadInput, TimeStepFarTooLongIsWarnedAbout)
 {
   const DeckFolder folder;
   folder.write("in.warn", edited(kGoodDeck, {"timestep 1e-5", "timestep 1e-3"}));
-  folder.write("rods.data", edited(kGoodData, {"1 1 0.01 0.1 2700 0 0 0.2", "1 1 0.01 0.1 2700 0 0 0.0049"}));
+  folder.write("rods.data",
+               edited(kGoodData, {"1 1 0.01 0.1 2700 0 0 0.2", "1 1 0.01 0.1 2700 0 0 0.0049"}));
   const Outcome outcome = folder.run("in.warn");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   expect_line(outcome.output, "WARNING", {"time step 0.001", "recommended", "limit", "rod 1"});

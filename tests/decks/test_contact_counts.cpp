@@ -70,9 +70,10 @@ TEST(ContactCounts, AgreeWithAllPairsOnOneRankAndTwo)
     EXPECT_DOUBLE_EQ(totals[1], 2.0 * pairs / static_cast<double>(n));
     EXPECT_DOUBLE_EQ(totals[2], pairs);
     // The search is good to 10^-9 of a length.
-    expect_holds({"compute contact: mean and largest overlap, relative", "all pairs, by search", 1e-8},
-                 std::max(std::fabs(totals[3] * pairs / overlaps - 1.0),
-                          std::fabs(totals[4] / largest - 1.0)));
+    expect_holds(
+        {"compute contact: mean and largest overlap, relative", "all pairs, by search", 1e-8},
+        std::max(std::fabs(totals[3] * pairs / overlaps - 1.0),
+                 std::fabs(totals[4] / largest - 1.0)));
   }
 }
 

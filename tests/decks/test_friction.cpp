@@ -17,7 +17,8 @@ class Friction : public RunMode {};
 constexpr double kGravity = 9.81;
 constexpr double kStiffness = 1e5;
 
-// On a floor at z = 0, sunk in by what its weight needs: two contacts carry m g cos(slope) / 2 each.
+// On a floor at z = 0, sunk in by what its weight needs: two contacts carry m g cos(slope) / 2
+// each.
 Rod lying_rod(const Vec3 &axis, double slope = 0.0)
 {
   Rod rod;
@@ -70,8 +71,8 @@ TEST_P(Friction, Incline)
 
   const auto p = scene.rods[0].properties();
   const double kappa = p.inertia_axial / (p.mass * std::pow(scene.rods[0].radius(), 2));
-  // Not from the start, where the tangential springs are loaded from zero, nor from the restart half
-  // way: see SlidingRodComesToRoll.
+  // Not from the start, where the tangential springs are loaded from zero, nor from the restart
+  // half way: see SlidingRodComesToRoll.
   const auto error = [&](size_t i, double expected) {
     const double gained = end.rods[i].velocity.x - middle.rods[i].velocity.x;
     return std::fabs(gained / (end.time - middle.time) / expected - 1.0);
@@ -82,21 +83,21 @@ TEST_P(Friction, Incline)
   const Rod &rolling = end.rods[0];
   expect_holds({"Incline, rolls: slip/speed", "v = omega r", 2e-4},
                std::fabs(rolling.omega.y * rolling.radius() / rolling.velocity.x - 1.0));
-  expect_holds({"Incline, axis across, slides: acceleration, relative", "g (sin(a) - mu cos(a))",
-                1e-6},
-               error(1, kGravity * (sine - frictions[1] * cosine)));
+  expect_holds(
+      {"Incline, axis across, slides: acceleration, relative", "g (sin(a) - mu cos(a))", 1e-6},
+      error(1, kGravity * (sine - frictions[1] * cosine)));
   // The spring's first oscillation dies out in milliseconds; a creep would go on.
   expect_holds({"Incline, axis along, rests: creep in 0.15 s (m)", "none", 1e-12},
                norm(end.rods[2].position - middle.rods[2].position));
-  expect_holds({"Incline, axis along, slides: acceleration, relative", "g (sin(a) - mu cos(a))",
-                1e-6},
-               error(3, kGravity * (sine - frictions[3] * cosine)));
+  expect_holds(
+      {"Incline, axis along, slides: acceleration, relative", "g (sin(a) - mu cos(a))", 1e-6},
+      error(3, kGravity * (sine - frictions[3] * cosine)));
 }
 
 // Thrown along a floor without spin: slows down at mu g while the slip v - omega r falls at
-// mu g (1 + 1/kappa); rolls from then on at (v + kappa omega r)/(1 + kappa), v0/(1 + kappa) if it had no
-// spin. Counted from the first dump on: in a run's very first step LIGGGHTS's history model has no
-// spring yet and damps without the limit of friction.
+// mu g (1 + 1/kappa); rolls from then on at (v + kappa omega r)/(1 + kappa), v0/(1 + kappa) if it
+// had no spin. Counted from the first dump on: in a run's very first step LIGGGHTS's history model
+// has no spring yet and damps without the limit of friction.
 TEST_P(Friction, SlidingRodComesToRoll)
 {
   const double friction = 0.2, slowing = friction * kGravity;
@@ -123,9 +124,9 @@ TEST_P(Friction, SlidingRodComesToRoll)
   for (const Frame &frame : frames) {
     const Rod &now = frame.rods[0];
     if (frame.step > 0 && frame.time < 0.95 * rolling_from)
-      sliding_error = std::max(
-          sliding_error,
-          std::fabs(now.velocity.x - (v0 - slowing * (frame.time - start.time))) / v0);
+      sliding_error =
+          std::max(sliding_error,
+                   std::fabs(now.velocity.x - (v0 - slowing * (frame.time - start.time))) / v0);
     const double slip = now.velocity.x - now.omega.y * r;
     if (slip < 1e-3 * v0 && first_rolling == 0.0) first_rolling = frame.time;
   }
@@ -134,9 +135,9 @@ TEST_P(Friction, SlidingRodComesToRoll)
   expect_holds({"Sliding rod: time at which it rolls, relative", "v0/(mu g (1+1/kappa))", 3e-3},
                std::fabs(first_rolling / rolling_from - 1.0));
   // The rod has sunk in by 10^-4 r.
-  expect_holds({"Sliding rod comes to roll: speed, relative", "v0/(1+kappa)", 1e-4},
-               std::fabs(frames.back().rods[0].velocity.x * (1.0 + kappa) / (v0 + kappa * spin0) -
-                         1.0));
+  expect_holds(
+      {"Sliding rod comes to roll: speed, relative", "v0/(1+kappa)", 1e-4},
+      std::fabs(frames.back().rods[0].velocity.x * (1.0 + kappa) / (v0 + kappa * spin0) - 1.0));
 }
 
 // A ladder in the xz plane: foot on the floor, head against a smooth wall at x = 0.
@@ -159,8 +160,7 @@ TEST_P(Friction, LadderAtItsThreshold)
     Rod rod = ladder;
     rod.type = type;
     rod.position = {-r - 0.5 * h * std::cos(theta) + threshold * weight / kStiffness,
-                    -0.6 + 0.25 * type,
-                    r + 0.5 * h * std::sin(theta) - weight / kStiffness};
+                    -0.6 + 0.25 * type, r + 0.5 * h * std::sin(theta) - weight / kStiffness};
     scene.rods.push_back(rod);
   }
   const auto friction = [&](int i, int j) {
@@ -186,8 +186,8 @@ TEST_P(Friction, LadderAtItsThreshold)
     EXPECT_LT(norm(after[i].velocity), 1e-9)
         << "slips at " << times_threshold[i] << " of the threshold friction";
     const double head = after[i].position.x + after[i].half_cylinder() * after[i].axis.x;
-    wall_force_error = std::max(
-        wall_force_error, std::fabs((r + head) * kStiffness / (threshold * weight) - 1.0));
+    wall_force_error =
+        std::max(wall_force_error, std::fabs((r + head) * kStiffness / (threshold * weight) - 1.0));
   }
   // The springs let the ladder turn by 10^-4 before it rests.
   expect_holds({"Ladder: force on the wall, relative", "m g h cos(t)/(2 (h sin(t) + r))", 2e-4},

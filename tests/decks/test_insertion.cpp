@@ -24,14 +24,14 @@ double smallest_gap(const std::vector<Rod> &rods, double period = 0.0)
       Rod image = rods[j];
       if (period > 0.0) {
         const Vec3 d = image.position - rods[i].position;
-        image.position = image.position - period * Vec3{std::round(d.x / period),
-                                                        std::round(d.y / period),
-                                                        std::round(d.z / period)};
+        image.position =
+            image.position - period * Vec3{std::round(d.x / period), std::round(d.y / period),
+                                           std::round(d.z / period)};
       }
       const double bound = 0.5 * (rods[i].length + image.length);
       if (norm(image.position - rods[i].position) > bound) continue;
-      smallest = std::min(smallest, slow_distance(rods[i], image) - rods[i].radius() -
-                                        image.radius());
+      smallest =
+          std::min(smallest, slow_distance(rods[i], image) - rods[i].radius() - image.radius());
     }
   return smallest;
 }
@@ -73,8 +73,8 @@ thermo_style custom step atoms
 )",
                      insertion.boundary, ranks > 1 ? "processors 2 1 1\n" : "", insertion.region,
                      linear_material(1e5, 1e5, 0.5, 0.2), rod_pair("linear tangential history"),
-                     insertion.templates, insertion.distribution, insertion.seed,
-                     insertion.amount, exact_dump("dump.rods", 1, kFrameColumns));
+                     insertion.templates, insertion.distribution, insertion.seed, insertion.amount,
+                     exact_dump("dump.rods", 1, kFrameColumns));
 }
 
 std::vector<Rod> insert(const Insertion &insertion, int ranks = 1)
@@ -142,9 +142,9 @@ TEST_P(Ranks, OrientationsAreIsotropic)
     deviations = std::max(deviations, std::fabs(m - 0.5) / std::sqrt(1.0 / 12.0 / n));
   for (const double m : {mean_square.x, mean_square.y, mean_square.z})
     deviations = std::max(deviations, std::fabs(m - 1.0 / 3.0) / std::sqrt(4.0 / 45.0 / n));
-  expect_holds({"Inserted rods: isotropy, standard deviations of mean abs(u_i), u_i^2",
-                "1/2, 1/3", 3.0},
-               deviations);
+  expect_holds(
+      {"Inserted rods: isotropy, standard deviations of mean abs(u_i), u_i^2", "1/2, 1/3", 3.0},
+      deviations);
 }
 
 // 70 % rods of two sizes and 30 % spheres.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What must not change the motion: the frame, the rods' numbers, the sign of an axis, the place in a
-// periodic box, the number of ranks. And what a mixture of rods and spheres must keep.
+// What must not change the motion: the frame, the rods' numbers, the sign of an axis, the place in
+// a periodic box, the number of ranks. And what a mixture of rods and spheres must keep.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,8 +83,7 @@ TEST(Invariance, TheReferenceCollides)
 {
   const Scene scene = cluster();
   EXPECT_LT(kinetic_energy(reference()), 0.9 * kinetic_energy(scene.rods));
-  EXPECT_LT(norm(momentum(reference()) - momentum(scene.rods)),
-            1e-12 * scene.rods[0].mass());
+  EXPECT_LT(norm(momentum(reference()) - momentum(scene.rods)), 1e-12 * scene.rods[0].mass());
 }
 
 TEST(Invariance, RotatedScene)
@@ -192,17 +191,17 @@ TEST_P(Mixture, KeepsMomentumAndAngularMomentum)
   double linear = 0.0, angular = 0.0, energy = 1.0;
   for (const Frame &frame : run(scene, GetParam())) {
     linear = std::max(linear, norm(momentum(frame.rods) - momentum(scene.rods)) / linear_scale);
-    angular = std::max(angular, norm(angular_momentum(frame.rods, point) -
-                                     angular_momentum(scene.rods, point)) /
-                                    angular_scale);
+    angular = std::max(
+        angular, norm(angular_momentum(frame.rods, point) - angular_momentum(scene.rods, point)) /
+                     angular_scale);
     energy = kinetic_energy(frame.rods) / kinetic_energy(scene.rods);
   }
   EXPECT_LT(energy, 0.9) << "the rods must have collided";
   expect_holds({"64 rods and spheres of mixed sizes: momentum, relative", "conserved", 1e-13},
                linear);
-  expect_holds({"64 rods and spheres of mixed sizes: angular momentum, relative", "conserved",
-                1e-12},
-               angular);
+  expect_holds(
+      {"64 rods and spheres of mixed sizes: angular momentum, relative", "conserved", 1e-12},
+      angular);
 }
 
 DECKS_IN_ALL_MODES(Mixture);

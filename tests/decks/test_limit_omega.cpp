@@ -36,7 +36,8 @@ Limited run_limited(const std::string &options, int ranks = 1, double limit = kL
   folder.write("in.limit",
                preamble(scene, ranks > 1 ? Mode::TwoRanks : Mode::OneRank) + R"(read_data rods.data
 neighbor 0.02 bin
-)" + linear_material(1e5, 1e5, 0.5, 0.2) + rod_pair("linear tangential history") +
+)" + linear_material(1e5, 1e5, 0.5, 0.2) +
+                   rod_pair("linear tangential history") +
                    fmt::format(R"(fix motion all nve/spherocylinder
 fix limit all limit/omega {} {}
 compute contacts all contact/spherocylinder

@@ -104,14 +104,14 @@ TEST_P(PairImpact, LosesTheEnergyOfTheEffectiveMass)
   double restitution_error = 0.0, energy_error = 0.0;
   for (size_t k = 0; k < all.size(); k++) {
     const Rod &i = after[2 * k], &j = after[2 * k + 1];
-    restitution_error = std::max(
-        restitution_error,
-        std::fabs(all[k].normal_velocity(i, j) / kApproach - restitution) / restitution);
+    restitution_error =
+        std::max(restitution_error,
+                 std::fabs(all[k].normal_velocity(i, j) / kApproach - restitution) / restitution);
     // Lost: (1 - e^2) m_eff v_n^2 / 2.
     const double share = 0.5 * all[k].effective_mass() * kApproach * kApproach;
     const double lost = kinetic_energy({all[k].i, all[k].j}) - kinetic_energy({i, j});
-    energy_error = std::max(
-        energy_error, std::fabs(lost / share - (1.0 - restitution * restitution)));
+    energy_error =
+        std::max(energy_error, std::fabs(lost / share - (1.0 - restitution * restitution)));
   }
   // As for a wall: 2 zeta omega dt is below 1e-3, and the arms turn by less than that.
   expect_holds({"Two rods, six meetings: coefficient of restitution, relative",
@@ -134,8 +134,8 @@ TEST_P(PairImpact, KeepsMomentumAndAngularMomentum)
     for (size_t k = 0; k < all.size(); k++) {
       const std::vector<Rod> before = {scene.rods[2 * k], scene.rods[2 * k + 1]};
       const std::vector<Rod> now = {frame.rods[2 * k], frame.rods[2 * k + 1]};
-      const double scale = before[0].mass() * norm(before[0].velocity) +
-                           before[1].mass() * norm(before[1].velocity);
+      const double scale =
+          before[0].mass() * norm(before[0].velocity) + before[1].mass() * norm(before[1].velocity);
       linear = std::max(linear, norm(momentum(now) - momentum(before)) / scale);
       angular = std::max(angular, norm(angular_momentum(now, fixed_point) -
                                        angular_momentum(before, fixed_point)) /
@@ -184,11 +184,10 @@ TEST_P(PairImpact, HeadOnRestitutionAndContactTime)
   for (size_t k = 0; k < all.size(); k++) {
     const Rod &i = frames.back().rods[2 * k], &j = frames.back().rods[2 * k + 1];
     const double e = restitutions[k / 2];
-    restitution_error = std::max(restitution_error,
-                                 std::fabs(all[k].normal_velocity(i, j) / kApproach - e) / e);
+    restitution_error =
+        std::max(restitution_error, std::fabs(all[k].normal_velocity(i, j) / kApproach - e) / e);
     const double zeta = -std::log(e) / std::hypot(pi, std::log(e));
-    const double expected =
-        pi / std::sqrt(kn / all[k].effective_mass() * (1.0 - zeta * zeta));
+    const double expected = pi / std::sqrt(kn / all[k].effective_mass() * (1.0 - zeta * zeta));
     long touching = 0;
     for (const Frame &frame : frames) touching += frame.contacts[2 * k] > 0.0;
     const double measured = touching * scene.dump_every * scene.dt;
@@ -203,8 +202,8 @@ TEST_P(PairImpact, HeadOnRestitutionAndContactTime)
 }
 
 // limitForce on: the force is cut off where it would pull, at which the pair parts with
-// e' = exp(-zeta/sqrt(1-zeta^2) (pi - atan(2 zeta sqrt(1-zeta^2)/(1-2 zeta^2)))) for zeta < 1/sqrt(2)
-// (Schwager and Poeschel, Granular Matter 9 (2007) 465).
+// e' = exp(-zeta/sqrt(1-zeta^2) (pi - atan(2 zeta sqrt(1-zeta^2)/(1-2 zeta^2)))) for zeta <
+// 1/sqrt(2) (Schwager and Poeschel, Granular Matter 9 (2007) 465).
 TEST_P(PairImpact, LimitForceDoesNotPull)
 {
   const double restitution = 0.3, pi = std::acos(-1.0);
@@ -221,7 +220,8 @@ TEST_P(PairImpact, LimitForceDoesNotPull)
   double error = 0.0;
   for (size_t k = 0; k < all.size(); k++)
     error = std::max(error, std::fabs(all[k].normal_velocity(after[2 * k], after[2 * k + 1]) /
-                                          kApproach / expected - 1.0));
+                                          kApproach / expected -
+                                      1.0));
   expect_holds({"limitForce on: restitution, relative",
                 "exp(-zeta/w (pi - atan(2 zeta w/(1-2 zeta^2)))), w^2 = 1-zeta^2", 2e-3},
                error);
@@ -255,16 +255,15 @@ TEST_P(PairImpact, DeepOverlapIsPushedBack)
 
   double deepest = 0.0, energy_error = 0.0;
   for (const Frame &frame : frames)
-    deepest = std::max(deepest, all[0].i.diameter - frame.rods[0].position.z +
-                                    frame.rods[1].position.z);
+    deepest =
+        std::max(deepest, all[0].i.diameter - frame.rods[0].position.z + frame.rods[1].position.z);
   EXPECT_GT(deepest, 1.4 * rod.diameter) << "the axes must pass each other for this test";
   for (size_t k = 0; k < all.size(); k++) {
     const Rod &i = frames.back().rods[2 * k], &j = frames.back().rods[2 * k + 1];
     EXPECT_EQ(frames.back().contacts[2 * k], 0.0) << "pair " << k << " has not parted";
     energy_error =
-        std::max(energy_error, std::fabs(kinetic_energy({i, j}) /
-                                             kinetic_energy({all[k].i, all[k].j}) -
-                                         1.0));
+        std::max(energy_error,
+                 std::fabs(kinetic_energy({i, j}) / kinetic_energy({all[k].i, all[k].j}) - 1.0));
   }
   // Centre on centre nothing turns, so that the sides can be told.
   const Rod &i = frames.back().rods[0], &j = frames.back().rods[1];
@@ -272,8 +271,9 @@ TEST_P(PairImpact, DeepOverlapIsPushedBack)
   // Verlet's error (omega dt)^2 and the unresolved first and last step.
   expect_holds({"Deep overlap, 14 m/s, 1.5 D: speed of parting, relative", "elastic", 1e-6},
                std::fabs((i.velocity.z - j.velocity.z) / speed - 1.0));
-  expect_holds({"Deep overlap, on and off centre: energy after parting, relative", "conserved", 1e-6},
-               energy_error);
+  expect_holds(
+      {"Deep overlap, on and off centre: energy after parting, relative", "conserved", 1e-6},
+      energy_error);
 }
 
 // Axes that cross exactly have no direction p - q: the common perpendicular parts them.

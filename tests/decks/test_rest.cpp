@@ -77,7 +77,8 @@ TEST_P(Rest, AspectScalingMakesLongRodsStiffer)
     const double sink = rod.mass() * kGravity / (ends * stiffness);
     error = std::max(error, std::fabs((rod.radius() - rod.position.z) / sink - 1.0));
   }
-  expect_holds({"Flat rods with aspect_scaling on: sink, relative", "m g/(2 k lambda)", 1e-9}, error);
+  expect_holds({"Flat rods with aspect_scaling on: sink, relative", "m g/(2 k lambda)", 1e-9},
+               error);
 }
 
 // On two fixed rods across it at -x1 and +x2: N1 = m g x2/(x1+x2), N2 = m g x1/(x1+x2).
@@ -143,8 +144,9 @@ TEST_P(Rest, TopplesOnAFrictionlessFloor)
     const double sine = now.axis.z, cosine = now.axis.x;
     if (sine < 0.1) break;
     lowest = std::min(lowest, sine);
-    const double expected = std::sqrt(p.mass * kGravity * h * (rod.axis.z - sine) /
-                                      (p.inertia_transverse + p.mass * 0.25 * h * h * cosine * cosine));
+    const double expected =
+        std::sqrt(p.mass * kGravity * h * (rod.axis.z - sine) /
+                  (p.inertia_transverse + p.mass * 0.25 * h * h * cosine * cosine));
     if (sine < 0.9 * rod.axis.z)
       rate_error = std::max(rate_error, std::fabs(now.omega.y / expected - 1.0));
     drift = std::max(drift, std::fabs(now.position.x));
@@ -157,9 +159,9 @@ TEST_P(Rest, TopplesOnAFrictionlessFloor)
   expect_holds({"Topple: sideways move of the centre (m)", "0", 1e-12}, drift);
 }
 
-// In a cylindrical trough along y (radius R, axis at z = R; LIGGGHTS's ycylinder takes radius, z, x): along the trough a rod rests on two
-// ends, sink m g/(2 k), and swings as a pendulum of length R - r + sink; across it, each end carries
-// N = m g/(2 cos(phi)), sin(phi) = (h/2)/(R - r + N/k).
+// In a cylindrical trough along y (radius R, axis at z = R; LIGGGHTS's ycylinder takes radius, z,
+// x): along the trough a rod rests on two ends, sink m g/(2 k), and swings as a pendulum of length
+// R - r + sink; across it, each end carries N = m g/(2 cos(phi)), sin(phi) = (h/2)/(R - r + N/k).
 TEST_P(Rest, CylindricalTrough)
 {
   const double R = 0.2;
@@ -172,8 +174,7 @@ TEST_P(Rest, CylindricalTrough)
   const double sink = along.mass() * kGravity / (2.0 * kStiffness);
   const double pendulum = R - along.radius() + sink;
   const double amplitude = 0.01;
-  swinging.position = {pendulum * std::sin(amplitude), 0.0,
-                       R - pendulum * std::cos(amplitude)};
+  swinging.position = {pendulum * std::sin(amplitude), 0.0, R - pendulum * std::cos(amplitude)};
   Rod across;
   const double half = across.half_cylinder();
   across.position = {0.0, 0.4, R - std::sqrt(std::pow(R - across.radius(), 2) - half * half)};
@@ -191,15 +192,15 @@ TEST_P(Rest, CylindricalTrough)
                std::fabs((along.radius() - end.rods[0].position.z) / sink - 1.0));
   // After three quarters of a period it passes the bottom: x/amplitude is the error in phase. A
   // pendulum of amplitude A is slower by A^2/16.
-  expect_holds({"Rod along a trough swings: phase after 3/4 period (rad)", "2 pi sqrt((R-r)/g)",
-                2e-4},
-               std::fabs(end.rods[1].position.x / (pendulum * amplitude)));
+  expect_holds(
+      {"Rod along a trough swings: phase after 3/4 period (rad)", "2 pi sqrt((R-r)/g)", 2e-4},
+      std::fabs(end.rods[1].position.x / (pendulum * amplitude)));
   const double overlap_across =
       std::hypot(half, R - end.rods[2].position.z) - (R - across.radius());
   const double cosine = (R - end.rods[2].position.z) / std::hypot(half, R - end.rods[2].position.z);
-  expect_holds({"Rod across a trough: force at its ends, relative", "m g/(2 cos(phi))", 1e-9},
-               std::fabs(overlap_across * kStiffness * 2.0 * cosine / (across.mass() * kGravity) -
-                         1.0));
+  expect_holds(
+      {"Rod across a trough: force at its ends, relative", "m g/(2 cos(phi))", 1e-9},
+      std::fabs(overlap_across * kStiffness * 2.0 * cosine / (across.mass() * kGravity) - 1.0));
 }
 
 DECKS_IN_ALL_MODES(Rest);

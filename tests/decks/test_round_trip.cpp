@@ -65,7 +65,8 @@ TEST(RoundTrip, RestartFile)
   for (const int ranks : {1, 2}) {
     const DeckFolder folder;
     folder.write("rods.data", data_file(scene));
-    folder.write("in.write", preamble(scene) + "read_data rods.data\n" + look(scene, "dump.before") +
+    folder.write("in.write", preamble(scene) + "read_data rods.data\n" +
+                                 look(scene, "dump.before") +
                                  "run 5000\nwrite_restart rods.restart\n");
     folder.write("in.read",
                  preamble(scene) + "read_restart rods.restart\n" + look(scene, "dump.after"));
@@ -85,8 +86,7 @@ TEST(RoundTrip, DataFile)
   folder.write("rods.data", data_file(scene));
   folder.write("in.write", preamble(scene) + "read_data rods.data\n" + look(scene, "dump.before") +
                                "run 5000\nwrite_data again.data\n");
-  folder.write("in.read",
-               preamble(scene) + "read_data again.data\n" + look(scene, "dump.after"));
+  folder.write("in.read", preamble(scene) + "read_data again.data\n" + look(scene, "dump.after"));
   const Outcome written = folder.run("in.write");
   ASSERT_EQ(written.exit_code, 0) << written.output;
   const Outcome read = folder.run("in.read");
@@ -114,7 +114,8 @@ TEST(RoundTrip, ClearAndAgain)
 
 TEST(RoundTrip, StockProgramWithThePlugInPreloaded)
 {
-  if (SPHEROCYLINDER_SANITIZED) GTEST_SKIP() << "the sanitizers cannot be preloaded after the start";
+  if (SPHEROCYLINDER_SANITIZED)
+    GTEST_SKIP() << "the sanitizers cannot be preloaded after the start";
   Scene scene = falling_rods();
   const std::vector<Rod> lmp = run(scene).back().rods;
   EXPECT_EQ(state_difference(run(scene, Mode::OneRank, Program::Preloaded).back().rods, lmp), 0.0);

@@ -56,9 +56,10 @@ std::string granular_data_file(const std::vector<Rod> &all)
     velocities += fmt::format("{} {} {} {} {} {} {}\n", i + 1, b.velocity.x, b.velocity.y,
                               b.velocity.z, b.omega.x, b.omega.y, b.omega.z);
   }
-  return fmt::format("balls\n\n{} atoms\n1 atom types\n0 0.06 xlo xhi\n0 0.06 ylo yhi\n"
-                     "0 0.06 zlo zhi\n\nAtoms\n\n{}\nVelocities\n\n{}",
-                     all.size(), atoms, velocities);
+  return fmt::format(
+      "balls\n\n{} atoms\n1 atom types\n0 0.06 xlo xhi\n0 0.06 ylo yhi\n"
+      "0 0.06 zlo zhi\n\nAtoms\n\n{}\nVelocities\n\n{}",
+      all.size(), atoms, velocities);
 }
 
 // Everything any of the models may ask for.
@@ -156,21 +157,20 @@ TEST_P(SphereLimit, MovesAsInStockLiggghts)
 
 INSTANTIATE_TEST_SUITE_P(
     , SphereLimit,
-    testing::Values(
-        Models{"HookeHistory", "hooke tangential history"},
-        Models{"HookeNoHistory", "hooke tangential no_history"},
-        Models{"HookeOff", "hooke tangential off"},
-        Models{"StiffnessHistory", "hooke/stiffness tangential history"},
-        Models{"StiffnessNoHistory", "hooke/stiffness tangential no_history"},
-        Models{"StiffnessOff", "hooke/stiffness tangential off"},
-        Models{"HertzHistory", "hertz tangential history"},
-        Models{"HertzNoHistory", "hertz tangential no_history"},
-        Models{"HertzOff", "hertz tangential off"},
-        Models{"HertzRollingCdt", "hertz tangential history rolling_friction cdt"},
-        Models{"HertzRollingEpsd", "hertz tangential history rolling_friction epsd"},
-        Models{"HertzRollingEpsd2", "hertz tangential history rolling_friction epsd2"},
-        Models{"HertzCohesionSjkr", "hertz tangential history cohesion sjkr"},
-        Models{"HookeCohesionSjkr2", "hooke tangential history cohesion sjkr2"}),
+    testing::Values(Models{"HookeHistory", "hooke tangential history"},
+                    Models{"HookeNoHistory", "hooke tangential no_history"},
+                    Models{"HookeOff", "hooke tangential off"},
+                    Models{"StiffnessHistory", "hooke/stiffness tangential history"},
+                    Models{"StiffnessNoHistory", "hooke/stiffness tangential no_history"},
+                    Models{"StiffnessOff", "hooke/stiffness tangential off"},
+                    Models{"HertzHistory", "hertz tangential history"},
+                    Models{"HertzNoHistory", "hertz tangential no_history"},
+                    Models{"HertzOff", "hertz tangential off"},
+                    Models{"HertzRollingCdt", "hertz tangential history rolling_friction cdt"},
+                    Models{"HertzRollingEpsd", "hertz tangential history rolling_friction epsd"},
+                    Models{"HertzRollingEpsd2", "hertz tangential history rolling_friction epsd2"},
+                    Models{"HertzCohesionSjkr", "hertz tangential history cohesion sjkr"},
+                    Models{"HookeCohesionSjkr2", "hooke tangential history cohesion sjkr2"}),
     [](const auto &info) { return info.param.name; });
 
 // Rods under LIGGGHTS's own models: hooke and hertz keep the coefficient of restitution for
@@ -191,13 +191,14 @@ TEST(StockModels, RodsKeepTheCoefficientOfRestitution)
   scene.dt = 1e-7;
   scene.steps = 25000;
   for (const std::string model : {"hooke", "hertz"}) {
-    scene.physics = "fix y all property/global youngsModulus peratomtype 9e8\n"
-                    "fix nu all property/global poissonsRatio peratomtype 0.3\n"
-                    "fix cv all property/global characteristicVelocity scalar 0.01\n" +
-                    pair_property("coefficientRestitution", 1, restitution) +
-                    rod_pair(model + " tangential off") +
-                    rod_wall("floor", model + " tangential off", "type 1 zplane 0.0") +
-                    "fix motion all nve/spherocylinder\n";
+    scene.physics =
+        "fix y all property/global youngsModulus peratomtype 9e8\n"
+        "fix nu all property/global poissonsRatio peratomtype 0.3\n"
+        "fix cv all property/global characteristicVelocity scalar 0.01\n" +
+        pair_property("coefficientRestitution", 1, restitution) +
+        rod_pair(model + " tangential off") +
+        rod_wall("floor", model + " tangential off", "type 1 zplane 0.0") +
+        "fix motion all nve/spherocylinder\n";
     const std::vector<Rod> after = run(scene).back().rods;
     double error = 0.0;
     for (const Rod &rod : after) {

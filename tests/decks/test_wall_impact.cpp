@@ -73,13 +73,12 @@ TEST_P(WallImpact, OffCentreWithoutFriction)
         scene.rods.push_back(rod);
       }
   // Stiffness 1e6 N/m: the slowest contact (30 D upright, e = 0.2) lasts 0.9 ms.
-  scene.physics =
-      pair_property("kn", 3, 1e6) + pair_property("kt", 3, 1e6) +
-      pair_property("coefficientRestitution", 3,
-                    [&](int i, int j) { return restitutions[std::max(i, j) - 1]; }) +
-      rod_pair("linear tangential off") +
-      rod_wall("floor", "linear tangential off", "type 1 zplane 0.0") +
-      "fix motion all nve/spherocylinder\n";
+  scene.physics = pair_property("kn", 3, 1e6) + pair_property("kt", 3, 1e6) +
+                  pair_property("coefficientRestitution", 3,
+                                [&](int i, int j) { return restitutions[std::max(i, j) - 1]; }) +
+                  rod_pair("linear tangential off") +
+                  rod_wall("floor", "linear tangential off", "type 1 zplane 0.0") +
+                  "fix motion all nve/spherocylinder\n";
   scene.dt = 3e-8;
   scene.steps = 40000;
 
@@ -90,9 +89,9 @@ TEST_P(WallImpact, OffCentreWithoutFriction)
     add_impulse(wanted, restitutions[wanted.type - 1]);
     error = std::max(error, difference(after[i], wanted));
   }
-  expect_holds({"Off-centre wall impact without friction, 36 rods", "J = -(1+e) v_n/K",
-                kImpactTolerance},
-               error);
+  expect_holds(
+      {"Off-centre wall impact without friction, 36 rods", "J = -(1+e) v_n/K", kImpactTolerance},
+      error);
 }
 
 // Elastic, sliding at v_x = side * 50 kApproach throughout: friction J_t = -mu side J_n acts on the
@@ -109,8 +108,7 @@ TEST_P(WallImpact, ElasticWithSlidingThroughout)
       rod.position.y = -0.75 + 0.3 * static_cast<double>(scene.rods.size());
       scene.rods.push_back(rod);
     }
-  scene.physics = linear_material(1e6, 1e6, 1.0, friction) +
-                  rod_pair("linear tangential history") +
+  scene.physics = linear_material(1e6, 1e6, 1.0, friction) + rod_pair("linear tangential history") +
                   rod_wall("floor", "linear tangential history", "type 1 zplane 0.0") +
                   "fix motion all nve/spherocylinder\n";
   scene.dt = 1e-7;
@@ -145,7 +143,7 @@ TEST_P(WallImpact, EndAgainstTheInsideOfACylinder)
   Scene scene;
   const double degrees_from_wall[] = {90.0, 40.0, 70.0};
   for (int i = 0; i < 12; i++) {
-    const double side = i % 2 ? -1.0 : 1.0;  // which wall
+    const double side = i % 2 ? -1.0 : 1.0;     // which wall
     const double end = i % 4 < 2 ? 1.0 : -1.0;  // which end of the rod, along its axis
     Rod flat = rod_above_floor(degrees(degrees_from_wall[i / 4]), 0.0, 10.0);
     Rod rod = flat;
@@ -178,9 +176,9 @@ TEST_P(WallImpact, EndAgainstTheInsideOfACylinder)
     wanted.omega = J / p.inertia_transverse * torque;
     error = std::max(error, difference(after[i], wanted));
   }
-  expect_holds({"Rod ends against the inside of a cylinder, 12 rods", "J = (1+e) v_n/K",
-                kImpactTolerance},
-               error);
+  expect_holds(
+      {"Rod ends against the inside of a cylinder, 12 rods", "J = (1+e) v_n/K", kImpactTolerance},
+      error);
 }
 
 DECKS_IN_ALL_MODES(WallImpact);
