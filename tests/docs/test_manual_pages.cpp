@@ -164,6 +164,19 @@ TEST_P(AnyPage, LinksLeadSomewhere)
   }
 }
 
+// The README and those of other folders: pages, pictures and folders they point at.
+TEST(ReadMe, LinksLeadSomewhere)
+{
+  const fs::path root = fs::path(DOCS_FOLDER).parent_path();
+  for (const char *name : {"README.md", "tests/README.md", "examples/paper/README.md"}) {
+    const fs::path file = root / name;
+    ASSERT_TRUE(fs::exists(file)) << file;
+    for (const std::string &link : read_page(file).links)
+      EXPECT_TRUE(fs::exists(file.parent_path() / link.substr(0, link.find('#'))))
+          << name << ": " << link;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, StylePage, testing::ValuesIn(style_pages()), page_name);
 INSTANTIATE_TEST_SUITE_P(, AnyPage, testing::ValuesIn(read_manual()), page_name);
 
