@@ -3,6 +3,8 @@
 // that says who complains, what about, the value seen and the value wanted.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include <algorithm>
 #include <ostream>
 #include <string>
@@ -421,6 +423,27 @@ TEST(BadInput, RodStylesNeedTheRodsAtomStyle)
 
 // Two rods that touch, and a step of 1e-3 s where 2 sqrt(m_eff/k)/10 is about 5e-5 s: a warning
 // with the limit, and the run goes on.
+TEST(BadInput, RodLongerThanThePeriodWouldTouchItself)
+{
+  const std::string deck = edited(kGoodDeck, {"boundary f f f", "boundary p p f"});
+  expect_refused(deck, edited(kGoodData, {"1 1 0.01 0.1", "1 1 0.01 1.1"}),
+                 {"periodic in x with 1", "longest rod's length 1.1"});
+}
+
+TEST(BadInput, StageThatDoesNotFitItsBed)
+{
+  const DeckFolder folder;
+  for (const char *name : {"in.rods", "in.contact", "in.fill", "in.settle"})
+    std::filesystem::copy(std::filesystem::path(INPUT_FOLDER) / name, folder / name);
+  folder.write("in.pour", "variable rods index 5\nvariable fill_time index 1e-4\ninclude in.fill\n");
+  EXPECT_EQ(folder.run("in.pour").exit_code, 0);
+  folder.write("in.other", "variable lambda index 30\ninclude in.settle\n");
+  const Outcome outcome = folder.run("in.other");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.output.find("poured with rods of length 0.1"), std::string::npos)
+      << outcome.output;
+}
+
 TEST(BadInput, TimeStepFarTooLongIsWarnedAbout)
 {
   const DeckFolder folder;
