@@ -232,41 +232,45 @@ RodInsertionList &AtomVecSpherocylinder::insertion_list()
    every step: owned rods to their ghosts, forces back
 ------------------------------------------------------------------------- */
 
-namespace {
+// What a ghost's position and velocity gain over its owner's across a periodic boundary. `lamda`:
+// in the coordinates of a triclinic box, where a period is 1, as at a rebuild of the lists.
+AtomVecSpherocylinder::PeriodicShift AtomVecSpherocylinder::periodic_shift(const int *pbc,
+                                                                           bool lamda) const
+{
+  PeriodicShift shift;
+  if (lamda) {
+    for (int d = 0; d < 3; d++) shift.dx[d] = pbc[d];
+  } else {
+    shift.dx[0] = pbc[0] * domain->xprd + pbc[5] * domain->xy + pbc[4] * domain->xz;
+    shift.dx[1] = pbc[1] * domain->yprd + pbc[3] * domain->yz;
+    shift.dx[2] = pbc[2] * domain->zprd;
+  }
+  if (deform_vremap) {
+    shift.dv[0] = pbc[0] * h_rate[0] + pbc[5] * h_rate[5] + pbc[4] * h_rate[4];
+    shift.dv[1] = pbc[1] * h_rate[1] + pbc[3] * h_rate[3];
+    shift.dv[2] = pbc[2] * h_rate[2];
+  }
+  return shift;
+}
 
-// What a ghost's position and velocity gain over its owner's across a periodic boundary.
-struct PeriodicShift {
-  double dx[3] = {0.0, 0.0, 0.0};
-  double dv[3] = {0.0, 0.0, 0.0};
-};
-
-}  // namespace
+// Velocity and spin of a ghost of rod j.
+double *AtomVecSpherocylinder::put_motion(double *out, int j, const PeriodicShift &shift) const
+{
+  const bool remap = mask[j] & deform_groupbit;
+  for (int d = 0; d < 3; d++) *out++ = v[j][d] + (remap ? shift.dv[d] : 0.0);
+  return put(out, omega[j], 3);
+}
 
 template <bool VELOCITY>
 int AtomVecSpherocylinder::pack_forward(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
-  PeriodicShift shift;
-  if (pbc_flag) {
-    shift.dx[0] = pbc[0] * domain->xprd + pbc[5] * domain->xy + pbc[4] * domain->xz;
-    shift.dx[1] = pbc[1] * domain->yprd + pbc[3] * domain->yz;
-    shift.dx[2] = pbc[2] * domain->zprd;
-    if (VELOCITY && deform_vremap) {
-      shift.dv[0] = pbc[0] * h_rate[0] + pbc[5] * h_rate[5] + pbc[4] * h_rate[4];
-      shift.dv[1] = pbc[1] * h_rate[1] + pbc[3] * h_rate[3];
-      shift.dv[2] = pbc[2] * h_rate[2];
-    }
-  }
-
+  const PeriodicShift shift = pbc_flag ? periodic_shift(pbc, false) : PeriodicShift();
   double *out = buf;
   for (int k = 0; k < n; k++) {
     const int j = list[k];
     for (int d = 0; d < 3; d++) *out++ = x[j][d] + shift.dx[d];
     out = put(out, quaternion[j], 4);
-    if (VELOCITY) {
-      const bool remap = pbc_flag && deform_vremap && (mask[j] & deform_groupbit);
-      for (int d = 0; d < 3; d++) *out++ = v[j][d] + (remap ? shift.dv[d] : 0.0);
-      out = put(out, omega[j], 3);
-    }
+    if (VELOCITY) out = put_motion(out, j, shift);
   }
   return static_cast<int>(out - buf);
 }
@@ -329,20 +333,8 @@ void AtomVecSpherocylinder::unpack_reverse(int n, int *list, double *buf)
 template <bool VELOCITY>
 int AtomVecSpherocylinder::pack_ghosts(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
-  PeriodicShift shift;
-  if (pbc_flag) {
-    // Borders are set up in lamda coordinates for a triclinic box, where a period is 1.
-    const bool lamda = domain->triclinic != 0;
-    shift.dx[0] = pbc[0] * (lamda ? 1.0 : domain->xprd);
-    shift.dx[1] = pbc[1] * (lamda ? 1.0 : domain->yprd);
-    shift.dx[2] = pbc[2] * (lamda ? 1.0 : domain->zprd);
-    if (VELOCITY && deform_vremap) {
-      shift.dv[0] = pbc[0] * h_rate[0] + pbc[5] * h_rate[5] + pbc[4] * h_rate[4];
-      shift.dv[1] = pbc[1] * h_rate[1] + pbc[3] * h_rate[3];
-      shift.dv[2] = pbc[2] * h_rate[2];
-    }
-  }
-
+  const PeriodicShift shift =
+      pbc_flag ? periodic_shift(pbc, domain->triclinic != 0) : PeriodicShift();
   double *out = buf;
   for (int k = 0; k < n; k++) {
     const int j = list[k];
@@ -354,11 +346,7 @@ int AtomVecSpherocylinder::pack_ghosts(int n, int *list, double *buf, int pbc_fl
     *out++ = radius[j];
     *out++ = density[j];
     out = put(out, quaternion[j], 4);
-    if (VELOCITY) {
-      const bool remap = pbc_flag && deform_vremap && (mask[j] & deform_groupbit);
-      for (int d = 0; d < 3; d++) *out++ = v[j][d] + (remap ? shift.dv[d] : 0.0);
-      out = put(out, omega[j], 3);
-    }
+    if (VELOCITY) out = put_motion(out, j, shift);
   }
 
   int m = static_cast<int>(out - buf);

@@ -93,6 +93,12 @@ class AtomVecSpherocylinder : public AtomVec {
   ContactRates contact_rates_;
   std::unique_ptr<RodInsertionList> insertion_list_;
 
+  struct PeriodicShift {
+    double dx[3] = {0.0, 0.0, 0.0};
+    double dv[3] = {0.0, 0.0, 0.0};
+  };
+  PeriodicShift periodic_shift(const int *pbc, bool lamda) const;
+  double *put_motion(double *out, int j, const PeriodicShift &shift) const;
   template <bool VELOCITY>
   int pack_forward(int n, int *list, double *buf, int pbc_flag, int *pbc);
   template <bool VELOCITY>
