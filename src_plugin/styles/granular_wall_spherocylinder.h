@@ -219,6 +219,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
 
   ForceData total;
   double normal_force = 0.0;
+  bool touching = false;
   const int ends = half_length > 0.0 ? 2 : 1;
   for (int k = 0; k < ends; k++) {
     const Vec3 arm = (k == 0 ? -half_length : half_length) * axis;
@@ -242,7 +243,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     sidata.kn = sidata.kt = 0.0;  // a stock model need not set them
     models_[k].surfacesIntersect(sidata, i_forces, j_forces);
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
-    sidata.has_force_update = true;
+    sidata.has_force_update = touching = true;
     monitor_.look(sidata, 2.0 * radius);
     if (ContactRates *rates = monitor_.rates())
       rates->add(i, 1.0, sidata.kn, has_tangential_ ? sidata.kt : 0.0, inverse,
@@ -254,6 +255,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     if (wall->heattransfer_flag()) wall->addHeatFlux(nullptr, i, radius, sidata.deltan, 1.0);
   }
 
+  if (!touching) return;  // LIGGGHTS asks for every rod whose bounding sphere reaches the wall
   if (sidata.computeflag) add_contact_load(atom->f[i], atom->torque[i], 1.0, total);
   report(*wall, sidata, total, normal_force);
 }

@@ -6,10 +6,7 @@
 
 #include "atom.h"
 #include "atom_vec_spherocylinder.h"
-#include "comm.h"
 #include "contact_interface.h"
-#include "core/contact_kinematics.h"
-#include "core/rotation.h"
 #include "pointers.h"
 #include "rod_checks.h"
 #include "update.h"
@@ -53,7 +50,11 @@ class ContactMonitor : protected Pointers {
     }
   }
 
-  ContactRates *rates() const { return rods_->contact_rates().active ? &rods_->contact_rates() : nullptr; }
+  // Where a fix collects the contacts of this step, null if none does.
+  ContactRates *rates() const
+  {
+    return rods_->contact_rates().active ? &rods_->contact_rates() : nullptr;
+  }
 
  private:
   AtomVecSpherocylinder *rods_ = nullptr;
@@ -94,8 +95,7 @@ bool has_tangential_model(ContactModel &model)
   return false;
 }
 
-// Adds what one contact does to a rod: the models' force, their torque about the virtual sphere's
-// centre, and the force's torque about the rod's centre.
+// Adds `factor` times a force (N) and a torque about the rod's centre (N m) to the rod's rows.
 inline void add_contact_load(double *f, double *torque, double factor,
                              const LIGGGHTS::ContactModels::ForceData &load)
 {
