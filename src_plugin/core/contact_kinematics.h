@@ -28,6 +28,15 @@ inline double inverse_effective_mass(const InverseInertia &inverse, const Vec3 &
   return inverse.mass + inverse.transverse * norm_squared(cross(arm_on_axis, normal));
 }
 
+// What a unit push along n2 at arm2 adds, in 1/kg, to the acceleration along n1 of the point at arm1
+// of the same rod: n1.n2/m + (a1 x n1)^T I^-1 (a2 x n2).
+inline double mass_coupling(const InverseInertia &inverse, const Vec3 &arm_on_axis1,
+                            const Vec3 &normal1, const Vec3 &arm_on_axis2, const Vec3 &normal2)
+{
+  return inverse.mass * dot(normal1, normal2) +
+         inverse.transverse * dot(cross(arm_on_axis1, normal1), cross(arm_on_axis2, normal2));
+}
+
 inline double inverse_effective_mass(double mass, double inertia_transverse,
                                      const Vec3 &arm_on_axis, const Vec3 &normal)
 {

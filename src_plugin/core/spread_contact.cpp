@@ -34,18 +34,20 @@ ClosestPoints spread_contact(const Segment &i, const Segment &j, double reach,
   const double half = 0.5 * (b - a);
   const double squared_sine = norm_squared(cross(i.axis, j.axis));
   const double squared_ratio = half * half * squared_sine / (2.0 * reach * overlap);
-  const double spread = 1.0 / (1.0 + squared_ratio);
+  if (squared_ratio >= 1.0) return closest;
+  const double g = (1.0 - squared_ratio) * (1.0 - squared_ratio);
 
-  const Candidate A = candidate_at(i, closest.s + spread * (a - closest.s), j, reach);
-  const Candidate B = candidate_at(i, closest.s + spread * (b - closest.s), j, reach);
-  const double sum = A.overlap + B.overlap;
-  if (sum == 0.0) return closest;
-
-  const double weight = A.overlap / sum;
-  const double s = weight * A.s + (1.0 - weight) * B.s;
-  const double t = weight * A.t + (1.0 - weight) * B.t;
+  const Candidate A = candidate_at(i, a, j, reach);
+  const Candidate B = candidate_at(i, b, j, reach);
+  const double at_closest = (1.0 - g) * overlap, at_a = 0.5 * g * A.overlap,
+               at_b = 0.5 * g * B.overlap;
+  const double felt = at_closest + at_a + at_b;
+  const double s = (at_closest * closest.s + at_a * A.s + at_b * B.s) / felt;
+  const double t = (at_closest * closest.t + at_a * A.t + at_b * B.t) / felt;
   const Vec3 delta = i.at(s) - j.at(t);
-  return {s, t, delta, norm_squared(delta)};
+  const double distance = norm(delta);
+  if (!(felt > 0.0) || !(distance > 0.0)) return closest;
+  return {s, t, ((reach - felt) / distance) * delta, (reach - felt) * (reach - felt)};
 }
 
 }  // namespace spherocylinder

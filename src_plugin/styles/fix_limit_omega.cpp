@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_limit_omega.h"
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "atom.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
 #include "force.h"
+#include "memory.h"
 #include "rod_checks.h"
 
 using namespace LAMMPS_NS;
@@ -40,9 +43,22 @@ FixLimitOmega::FixLimitOmega(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   }
 
   vector_flag = 1;
-  size_vector = 3;
+  size_vector = 5;
   global_freq = 1;
-  extvector = 1;
+  extvector = 0;  // sums over the run, not to be divided by the number of rods
+
+  peratom_flag = 1;
+  size_peratom_cols = kPerRod;
+  peratom_freq = 1;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+}
+
+FixLimitOmega::~FixLimitOmega()
+{
+  atom->delete_callback(id, 0);
+  memory->destroy(of_rod_);
 }
 
 int FixLimitOmega::setmask() { return END_OF_STEP; }
@@ -74,19 +90,74 @@ void FixLimitOmega::limit_rod(int i)
   const sc::Vec3 old_angmom = sc::load(atom->angmom[i]);
   const sc::Vec3 new_angmom =
       sc::angular_momentum(new_omega, axis, inertia_axial, inertia_transverse);
-  energy_removed_ +=
+  const double energy =
       sc::rotational_energy(old_angmom, axis, inertia_axial, inertia_transverse) -
       sc::rotational_energy(new_angmom, axis, inertia_axial, inertia_transverse);
+  energy_removed_ += energy;
   acted_last_ += 1.0;
+  of_rod_[i][0] += 1.0;
+  of_rod_[i][1] += energy;
   sc::store(new_omega, atom->omega[i]);
   sc::store(new_angmom, atom->angmom[i]);
 }
 
-// 1: rods limited, summed over all steps; 2: energy removed (J); 3: rods limited in the last step
+// How often the rod was limited that was so most often, and which it is (the lowest id of equals);
+// 0 and 0 if none was.
+void FixLimitOmega::most_limited(double &times, double &id_of_rod) const
+{
+  double most = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) most = std::max(most, of_rod_[i][0]);
+  MPI_Allreduce(&most, &times, 1, MPI_DOUBLE, MPI_MAX, world);
+
+  double lowest = std::numeric_limits<double>::max();
+  if (times > 0.0)
+    for (int i = 0; i < atom->nlocal; i++)
+      if (of_rod_[i][0] == times) lowest = std::min(lowest, static_cast<double>(atom->tag[i]));
+  MPI_Allreduce(&lowest, &id_of_rod, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (times == 0.0) id_of_rod = 0.0;
+}
+
+// 1: rods limited, summed over all steps; 2: energy removed (J); 3: rods limited in the last step;
+// 4: times the rod most often limited was so; 5: its id
 double FixLimitOmega::compute_vector(int n)
 {
+  if (n >= 3) {
+    double times = 0.0, id_of_rod = 0.0;
+    most_limited(times, id_of_rod);
+    return n == 3 ? times : id_of_rod;
+  }
   const double local = n == 0 ? actions_ : n == 1 ? energy_removed_ : acted_last_;
   double total = 0.0;
   MPI_Allreduce(&local, &total, 1, MPI_DOUBLE, MPI_SUM, world);
   return total;
 }
+
+void FixLimitOmega::grow_arrays(int nmax)
+{
+  memory->grow(of_rod_, nmax, kPerRod, "limit/omega:of_rod");
+  array_atom = of_rod_;
+}
+
+void FixLimitOmega::copy_arrays(int from, int to, int)
+{
+  for (int k = 0; k < kPerRod; k++) of_rod_[to][k] = of_rod_[from][k];
+}
+
+void FixLimitOmega::set_arrays(int i)
+{
+  for (int k = 0; k < kPerRod; k++) of_rod_[i][k] = 0.0;
+}
+
+int FixLimitOmega::pack_exchange(int i, double *buffer)
+{
+  for (int k = 0; k < kPerRod; k++) buffer[k] = of_rod_[i][k];
+  return kPerRod;
+}
+
+int FixLimitOmega::unpack_exchange(int i, double *buffer)
+{
+  for (int k = 0; k < kPerRod; k++) of_rod_[i][k] = buffer[k];
+  return kPerRod;
+}
+
+double FixLimitOmega::memory_usage() { return sizeof(double) * kPerRod * atom->nmax; }

@@ -17,9 +17,18 @@ namespace LAMMPS_NS {
 class FixLimitOmega : public Fix {
  public:
   FixLimitOmega(LAMMPS *lmp, int narg, char **arg);
+  ~FixLimitOmega() override;
   int setmask() override;
   void end_of_step() override;
   double compute_vector(int n) override;
+
+  // The per-rod sums travel with their rods.
+  void grow_arrays(int nmax) override;
+  void copy_arrays(int from, int to, int) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double *buffer) override;
+  int unpack_exchange(int i, double *buffer) override;
+  double memory_usage() override;
 
  private:
   enum class Component { Total, Transverse, Axial };
@@ -28,8 +37,11 @@ class FixLimitOmega : public Fix {
   double actions_ = 0.0;        // rods limited, summed over the steps, this rank
   double energy_removed_ = 0.0; // J, this rank
   double acted_last_ = 0.0;     // rods limited in the last step, this rank
+  double **of_rod_ = nullptr;   // of each rod: times limited, energy removed (J)
 
+  static constexpr int kPerRod = 2;
   void limit_rod(int i);
+  void most_limited(double &times, double &id) const;
 };
 
 }  // namespace LAMMPS_NS

@@ -4,6 +4,7 @@
 // either, so the two end spheres are the whole contact; each has its own history.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -97,6 +98,7 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
   EndContact end_contact(PrimitiveWall &wall, const Surface &surface,
                          const spherocylinder::Vec3 &centre,
                          const spherocylinder::Vec3 &arm) const;
+  static double shared_load(const EndContact &one, const EndContact &other, double radius);
   spherocylinder::Vec3 wall_velocity(const Surface &surface, const EndContact &contact,
                                      const double *vwall) const;
   void report(FixWallGran &wall, const SurfacesIntersectData &sidata, const ForceData &total,
@@ -171,6 +173,21 @@ GranularSpherocylinder<ContactModel>::end_contact(PrimitiveWall &wall, const Sur
   return {surface.distance - from_axis, (-1.0 / from_axis) * radial, radial};
 }
 
+// How far two ends that touch at once act as one contact, from 0 to 1: the ratio of their overlaps,
+// times the cosine between their normals (0 if they face each other, as across a cylinder).
+//
+// Two ends that push equally along one normal feel each other: the point at end 1 gives way by
+// K11 + K12, not by K11 alone, and a rod that lands flat rebounds with e only if its damping knows
+// that. With one overlap at zero the other end is alone, so that the damping has no jump.
+template <typename ContactModel>
+double GranularSpherocylinder<ContactModel>::shared_load(const EndContact &one,
+                                                         const EndContact &other, double radius)
+{
+  const double a = radius - one.distance, b = radius - other.distance;
+  if (!(a > 0.0) || !(b > 0.0)) return 0.0;
+  return std::min(a, b) / std::max(a, b) * std::max(0.0, dot(one.normal, other.normal));
+}
+
 // vwall is the velocity LIGGGHTS worked out at the rod's centre. A wall that turns about its
 // cylinder's axis moves in proportion to the distance from that axis.
 template <typename ContactModel>
@@ -221,10 +238,19 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
   double normal_force = 0.0;
   bool touching = false;
   const int ends = half_length > 0.0 ? 2 : 1;
+  const Vec3 arms[2] = {-half_length * axis, half_length * axis};
+  const InverseInertia inverse = {1.0 / atom->rmass[i], 1.0 / atom->inertia[i][0]};
+  EndContact contacts[2];
+  for (int k = 0; k < ends; k++) contacts[k] = end_contact(primitive, surface, centre, arms[k]);
+  const double shared = ends == 2 ? shared_load(contacts[0], contacts[1], radius) : 0.0;
+  const double coupling =
+      shared > 0.0
+          ? shared * mass_coupling(inverse, arms[0], contacts[0].normal, arms[1], contacts[1].normal)
+          : 0.0;
   for (int k = 0; k < ends; k++) {
-    const Vec3 arm = (k == 0 ? -half_length : half_length) * axis;
+    const Vec3 &arm = arms[k];
+    const EndContact &contact = contacts[k];
     ForceData i_forces, j_forces;
-    const EndContact contact = end_contact(primitive, surface, centre, arm);
     if (contact.distance > radius) {
       if (sidata.contact_history) models_[k].surfacesClose(sidata, i_forces, j_forces);
       continue;
@@ -235,8 +261,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     sidata.deltan = radius - contact.distance;
     store(contact.normal, sidata.en);
     store(contact.distance * contact.normal, sidata.delta);
-    const InverseInertia inverse = {1.0 / atom->rmass[i], 1.0 / atom->inertia[i][0]};
-    sidata.meff = 1.0 / inverse_effective_mass(inverse, arm, contact.normal);
+    // With shared <= the normals' cosine the sum is at least 1/m: see the test of mass_coupling.
+    sidata.meff = 1.0 / (inverse_effective_mass(inverse, arm, contact.normal) + coupling);
     store(velocity_at(load(atom->v[i]), load(atom->omega[i]), arm), end_velocity);
     store(wall_velocity(surface, contact, vwall), end_wall_velocity);
 

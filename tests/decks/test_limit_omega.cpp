@@ -17,7 +17,10 @@ constexpr double kLimit = 4.0;  // rad/s
 
 struct Limited {
   std::vector<Rod> before, after;
-  Table thermo;  // actions, energy removed, acted in the last step, rotational energy
+  // actions, energy removed, acted in the last step, most often limited rod: times, id;
+  // rotational energy
+  Table thermo;
+  Snapshot of_rods;  // last step: id, times limited, energy removed
 };
 
 // Three free rods: below the limit, above it across the axis, above it along the axis too.
@@ -43,16 +46,19 @@ fix limit all limit/omega {} {}
 compute contacts all contact/spherocylinder
 compute energy all erotate/spherocylinder
 timestep 1e-5
-thermo_style custom step f_limit[1] f_limit[2] f_limit[3] c_energy
+thermo_style custom step f_limit[1] f_limit[2] f_limit[3] f_limit[4] f_limit[5] c_energy
 thermo_modify norm no format float %.17g
 thermo 1
 {}run 10
 )",
-                               limit, options, exact_dump("dump.rods", 1, kFrameColumns)));
+                               limit, options,
+                               exact_dump("dump.rods", 1, kFrameColumns) +
+                                   "dump limited all custom 1 dump.limited id f_limit[1] f_limit[2]\n"
+                                   "dump_modify limited sort id format \"%d %.17g %.17g\"\n"));
   const Outcome outcome = folder.run("in.limit", {Program::Lmp, ranks});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   return {scene.rods, read_frames(folder / "dump.rods", scene).back().rods,
-          read_thermo(outcome.output)};
+          read_thermo(outcome.output), read_dump(folder / "dump.limited").back()};
 }
 
 double axial(const Rod &rod) { return std::fabs(dot(rod.omega, rod.axis)); }
@@ -107,11 +113,35 @@ TEST(LimitOmega, CountsActionsAndEnergy)
                error);
 }
 
+// The per-rod sums add up to the global ones, on any number of ranks.
+TEST(LimitOmega, TellsWhichRods)
+{
+  for (const int ranks : {1, 2}) {
+    const Limited result = run_limited("", ranks);
+    const std::vector<double> &last = result.thermo.rows.back();
+    double times = 0.0, energy = 0.0, most = 0.0, most_id = 0.0;
+    for (const std::vector<double> &row : result.of_rods.atoms.rows) {
+      times += row[1];
+      energy += row[2];
+      if (row[1] > most) {
+        most = row[1];
+        most_id = row[0];
+      }
+    }
+    EXPECT_EQ(times, last[1]);
+    EXPECT_NEAR(energy, last[2], 1e-14 * energy);
+    EXPECT_EQ(most, last[4]);
+    EXPECT_EQ(most_id, last[5]);
+    EXPECT_EQ(result.of_rods.atoms.rows[0][1], 0.0) << "rod 1 turns slower than the limit";
+    EXPECT_GE(most, 1.0);
+  }
+}
+
 TEST(LimitOmega, IsIdleBelowTheLimit)
 {
   const Limited result = run_limited("", 1, 1000.0);
   for (const std::vector<double> &line : result.thermo.rows)
-    for (const size_t column : {1, 2, 3}) EXPECT_EQ(line[column], 0.0);
+    for (const size_t column : {1, 2, 3, 4, 5}) EXPECT_EQ(line[column], 0.0);
   for (size_t i = 0; i < result.before.size(); i++)
     EXPECT_NEAR(norm(result.after[i].angular_momentum() - result.before[i].angular_momentum()), 0.0,
                 1e-14 * norm(result.before[i].angular_momentum()));
