@@ -5,12 +5,14 @@
 #include <map>
 #include <string>
 
+#include "atom.h"
 #include "lammps.h"
 #include "modify.h"
 #include "loader/member_access.h"
 #include "styles/atom_vec_spherocylinder.h"
 #include "styles/compute_contact_spherocylinder.h"
 #include "styles/compute_erotate_spherocylinder.h"
+#include "styles/compute_gran_local_spherocylinder.h"
 #include "styles/contact_styles.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
@@ -51,6 +53,14 @@ Compute *create_compute(LAMMPS *lmp, int iarg, int narg, char **arg)
   return new T(lmp, iarg, narg, arg);
 }
 
+// LIGGGHTS's own where there are no rods.
+Compute *create_gran_local(LAMMPS *lmp, int iarg, int narg, char **arg)
+{
+  if (dynamic_cast<AtomVecSpherocylinder *>(lmp->atom->avec))
+    return new ComputeGranLocalSpherocylinder(lmp, iarg, narg, arg);
+  return new ComputePairGranLocal(lmp, iarg, narg, arg);
+}
+
 }  // namespace
 
 // The style headers list themselves below, in LIGGGHTS's own way.
@@ -74,6 +84,7 @@ void add_styles(LAMMPS *lmp)
 #include "styles/compute_erotate_spherocylinder.h"
 #undef ComputeStyle
 #undef COMPUTE_CLASS
+  computes["pair/gran/local"] = computes["wall/gran/local"] = &create_gran_local;
 }
 
 AtomVec *create_atom_style(const char *name, LAMMPS *lmp)

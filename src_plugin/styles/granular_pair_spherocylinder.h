@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "close_rod_pairs.h"
 #include "comm.h"
+#include "compute_gran_local_spherocylinder.h"
 #include "core/closest_points.h"
 #include "core/contact_kinematics.h"
 #include "core/spread_contact.h"
@@ -115,7 +116,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
                     bool remember) const;
   void separate(SurfacesIntersectData &sidata, ForceData &i_forces, ForceData &j_forces);
   void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
-              ForceData &j_forces, int addflag) const;
+              ForceData &j_forces) const;
 };
 
 // Where two rods touch, or would. Both ranks that see a pair across their border must get the same
@@ -212,7 +213,7 @@ void GranularSpherocylinder<ContactModel>::read_rods(int frozen_bit)
 
 template <typename ContactModel>
 void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int eflag, int vflag,
-                                                         int addflag)
+                                                         int)
 {
   using namespace spherocylinder;
 
@@ -244,6 +245,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   sidata.v_j = velocity_j;
   model_.beginPass(sidata, i_forces, j_forces);
   ContactRates *rates = monitor_.rates();
+  auto *local = ComputeGranLocalSpherocylinder::collecting(pair->cpl(), update->ntimestep);
+  if (local) local->begin_rows();
 
   for (const CloseRodPairs::Entry &entry : close_pairs_.entries()) {
     const int i = entry.i, j = entry.j;
@@ -306,11 +309,13 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
       add_contact_load(f[i], torque[i], pair->relax(i), i_forces);
       if (j < nlocal) add_contact_load(f[j], torque[j], pair->relax(j), j_forces);
     }
-    report(*pair, sidata, i_forces, j_forces, addflag);
+    report(*pair, sidata, i_forces, j_forces);
+    if (local)
+      local->add_pair_contact(sidata, i_forces,
+                              rod_i.segment.centre + arm_i - sidata.cri * normal);
   }
 
   model_.endPass(sidata, i_forces, j_forces);
-  if (pair->cpl() && addflag) pair->cpl_pair_finalize();
   if (pair->storeContactForces()) pair->fix_contact_forces()->do_forward_comm();
   if (pair->storeContactForcesStress()) pair->fix_contact_forces_stress()->do_forward_comm();
 }
@@ -318,8 +323,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
 // Hands the contact to whatever stock command has asked for it.
 template <typename ContactModel>
 void GranularSpherocylinder<ContactModel>::report(PairGran &pair, SurfacesIntersectData &sidata,
-                                                  ForceData &i_forces, ForceData &j_forces,
-                                                  int addflag) const
+                                                  ForceData &i_forces,
+                                                  ForceData &j_forces) const
 {
   const int i = sidata.i, j = sidata.j, nlocal = atom->nlocal;
 
@@ -329,7 +334,6 @@ void GranularSpherocylinder<ContactModel>::report(PairGran &pair, SurfacesInters
     *pair.get_sum_normal_force_ptr(i) += along;
     if (j < nlocal) *pair.get_sum_normal_force_ptr(j) += along;
   }
-  if (pair.cpl() && addflag) pair.cpl_add_pair(sidata, i_forces);
   if (pair.evflag) {
     // The virial of a rigid body takes the distance of the centres, not of the contact points.
     double between[3];

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "atom.h"
+#include "compute_gran_local_spherocylinder.h"
 #include "core/contact_kinematics.h"
 #include "core/rotation.h"
 #include "fix_contact_property_atom_wall.h"
@@ -234,6 +235,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
   sidata.computeflag = wall->computeflag();
   sidata.shearupdate = wall->shearupdate();
 
+  auto *local = ComputeGranLocalSpherocylinder::collecting(wall->compute_wall_gran_local(),
+                                                           update->ntimestep);
   ForceData total;
   double normal_force = 0.0;
   bool touching = false;
@@ -276,6 +279,9 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
                  1.0 / atom->inertia[i][2], axis, arm, sidata.cri, contact.normal);
 
     add_to(i_forces.delta_torque, cross(arm, load(i_forces.delta_F)));
+    if (local)
+      local->add_wall_contact(*wall, k, sidata, i_forces,
+                              centre + arm - sidata.cri * contact.normal);
     add_contact_load(total.delta_F, total.delta_torque, 1.0, i_forces);
     normal_force += dot(load(i_forces.delta_F), contact.normal);
     if (wall->heattransfer_flag()) wall->addHeatFlux(nullptr, i, radius, sidata.deltan, 1.0);

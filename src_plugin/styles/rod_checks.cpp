@@ -12,7 +12,6 @@
 #include "atom_vec_spherocylinder.h"
 #include "comm.h"
 #include "compute.h"
-#include "compute_pair_gran_local.h"
 #include "core/mass_properties.h"
 #include "domain.h"
 #include "error.h"
@@ -199,29 +198,15 @@ void LAMMPS_NS::check_contact_styles_know_rods(LAMMPS *lmp)
   }
 }
 
-// LIGGGHTS works these out from the centres and from entries of a superquadric's contact history.
 void LAMMPS_NS::check_computes_know_rods(LAMMPS *lmp)
 {
   for (int i = 0; i < lmp->modify->ncompute; i++) {
-    Compute *compute = lmp->modify->compute[i];
+    const Compute *compute = lmp->modify->compute[i];
     if (strcmp(compute->style, "contact/atom") == 0)
       rod_error_all(lmp,
                     "Compute contact/atom (id %s) would count the rods' bounding spheres (expected "
                     "contact/spherocylinder)",
                     compute->id);
-    if (strcmp(compute->style, "wall/gran/local") == 0)
-      rod_error_all(lmp,
-                    "Compute wall/gran/local (id %s) is not available with atom_style "
-                    "spherocylinder (expected store_force yes in fix wall/gran)",
-                    compute->id);
-    auto *local = dynamic_cast<ComputePairGranLocal *>(compute);
-    if (local && (local->offset_delta() >= 0 || local->offset_contact_point() >= 0 ||
-                  local->offset_fn() >= 0 || local->offset_ft() >= 0))
-      rod_error_all(lmp,
-                    "Compute %s (id %s): delta, contactPoint, force_normal and force_tangential "
-                    "are not available with atom_style spherocylinder (expected pos, vel, id, "
-                    "force, torque or history)",
-                    compute->style, compute->id);
   }
 }
 

@@ -131,7 +131,7 @@ std::vector<Snapshot> read_dump(const std::filesystem::path &file)
       snapshots.emplace_back();
       std::getline(in, line);
       snapshots.back().step = std::stol(line);
-    } else if (line.rfind("ITEM: ATOMS", 0) == 0) {
+    } else if (line.rfind("ITEM: ATOMS", 0) == 0 || line.rfind("ITEM: ENTRIES", 0) == 0) {
       const std::vector<std::string> words = words_of(line);
       snapshots.back().atoms.columns.assign(words.begin() + 2, words.end());
     } else if (!snapshots.empty() && !snapshots.back().atoms.columns.empty()) {
@@ -171,6 +171,18 @@ std::string exact_dump(const std::string &file, long every, const std::string &c
   format.pop_back();
   return fmt::format("dump frames all custom {} {} {}\ndump_modify frames format \"{}\"\n", every,
                      file, columns, format);
+}
+
+std::string exact_local_dump(const std::string &file, long every, const std::string &compute,
+                             int columns)
+{
+  std::string names, format;
+  for (int k = 1; k <= columns; k++) {
+    names += fmt::format(" c_{}[{}]", compute, k);
+    format += k == 1 ? "%.17g" : " %.17g";
+  }
+  return fmt::format("dump {0}_rows all local {1} {2}{3}\ndump_modify {0}_rows format \"{4}\"\n",
+                     compute, every, file, names, format);
 }
 
 }  // namespace decks

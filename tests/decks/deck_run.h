@@ -53,7 +53,7 @@ struct Table {
   bool has(const std::string &column) const;
 };
 
-// One time step of a dump custom file, its rows in the order of the atoms' ids.
+// One time step of a dump custom or dump local file, its rows in the order of the first column.
 struct Snapshot {
   long step = 0;
   Table atoms;
@@ -67,5 +67,9 @@ Table read_thermo(const std::string &output);
 // The two commands of a dump with enough digits to get every bit back. Columns id, type, ix, iy
 // and iz are integers, all others real numbers.
 std::string exact_dump(const std::string &file, long every, const std::string &columns);
+
+// The same of a compute's local rows: all columns c_<compute>[1] ... of them.
+std::string exact_local_dump(const std::string &file, long every, const std::string &compute,
+                             int columns);
 
 }  // namespace decks

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "compute_pair_gran_local.h"
+#include "core/vec3.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+struct SurfacesIntersectData;
+struct ForceData;
+}  // namespace ContactModels
+}  // namespace LIGGGHTS
+
+namespace LAMMPS_NS {
+
+class FixWallGran;
+
+// compute pair/gran/local and wall/gran/local of decks with rods: LIGGGHTS's columns, with what it
+// works out from sphere centres taken from the contacts themselves, and the column group `normal`.
+//
+// The contacts hand over their values in the steps whose output asks for them, so that the forces
+// are those the rods have felt. (LIGGGHTS computes all contacts a second time at output, when the
+// velocities of owned particles, but not of ghosts, have moved on by half a step.)
+//
+// The style names are LIGGGHTS's; the loader creates this class for rods and LIGGGHTS's own for
+// everything else.
+class ComputeGranLocalSpherocylinder : public ComputePairGranLocal {
+ public:
+  ComputeGranLocalSpherocylinder(LAMMPS *lmp, int &iarg, int narg, char **arg);
+  void init() override;
+  void init_cpgl(bool) override;
+  void pre_delete(bool uncomputeflag) override;
+  void compute_local() override;
+  double memory_usage() override;
+
+  // What is registered with a pair style or a wall, if it wants this step's contacts; else null.
+  static ComputeGranLocalSpherocylinder *collecting(ComputePairGranLocal *registered,
+                                                    bigint step);
+
+  void begin_rows();  // of this step
+
+  // `point` is where the forces act (space frame, m), sidata.en the unit normal towards rod i.
+  void add_pair_contact(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata,
+                        const LIGGGHTS::ContactModels::ForceData &i_forces,
+                        const spherocylinder::Vec3 &point);
+
+  // Of end 0 (at -u) or 1 (at +u) of rod i.
+  void add_wall_contact(const FixWallGran &wall, int end,
+                        const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata,
+                        const LIGGGHTS::ContactModels::ForceData &i_forces,
+                        const spherocylinder::Vec3 &point);
+
+ private:
+  struct Keywords {
+    std::vector<char *> stock;  // the command without `normal`
+    bool normal = false;
+    Keywords(int narg, char **arg);
+  };
+  ComputeGranLocalSpherocylinder(LAMMPS *lmp, int &iarg, Keywords keywords);
+
+  // A row before its columns are chosen. Space frame; force and torque on rod i, the torque about
+  // its centre.
+  struct Contact {
+    spherocylinder::Vec3 positions[2], velocities[2];
+    double ids[3];
+    spherocylinder::Vec3 force, torque, normal, point;
+    const double *history;
+    double area, overlap;
+  };
+
+  bool normal_;
+  std::vector<const FixWallGran *> walls_;  // in the order of the deck
+  bigint collected_step_ = -1;
+  int rows_ = 0;
+
+  void register_with_walls();
+  void add_row(const Contact &contact);
+};
+
+}  // namespace LAMMPS_NS
