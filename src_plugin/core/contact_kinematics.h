@@ -12,6 +12,16 @@ inline Vec3 velocity_at(const Vec3 &velocity, const Vec3 &omega, const Vec3 &arm
   return velocity + cross(omega, arm);
 }
 
+// The same half a step ago, for an integrator that hands over velocities of the middle of the step
+// with the positions of its end. With the arm of the end, two rods that turn together at W would
+// seem to slip at W^2 dt/2 times the distance of their centres across the normal, and a contact at
+// rest in the turning frame would load its spring without end.
+inline Vec3 velocity_half_a_step_ago(const Vec3 &velocity, const Vec3 &omega, const Vec3 &arm,
+                                     double dt)
+{
+  return velocity_at(velocity, omega, arm - 0.5 * dt * cross(omega, arm));
+}
+
 // Reciprocals, worked out once a rod and step and used once a contact.
 struct InverseInertia {
   double mass;        // 1/m, 1/kg

@@ -232,6 +232,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   close_pairs_.update(*pair->list, first_flags, rods_, neighbor->ago == 0);
 
   const int dnum = pair->dnum();
+  const double dt = update->dt;
   const bool remember = side_offset_ >= 0;
 
   SurfacesIntersectData sidata;
@@ -281,8 +282,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
     const Motion &motion_i = motions_[i], &motion_j = motions_[j];
     const Vec3 arm_i = closest.s * rod_i.segment.axis, arm_j = closest.t * rod_j.segment.axis;
     const Vec3 normal = load(sidata.en);
-    store(velocity_at(motion_i.velocity, motion_i.omega, arm_i), velocity_i);
-    store(velocity_at(motion_j.velocity, motion_j.omega, arm_j), velocity_j);
+    store(velocity_half_a_step_ago(motion_i.velocity, motion_i.omega, arm_i, dt), velocity_i);
+    store(velocity_half_a_step_ago(motion_j.velocity, motion_j.omega, arm_j, dt), velocity_j);
     const double inverse_mass = inverse_effective_mass(motion_i.inverse, arm_i, normal) +
                                 inverse_effective_mass(motion_j.inverse, arm_j, normal);
     if (inverse_mass == 0.0) continue;  // both frozen: nothing to move

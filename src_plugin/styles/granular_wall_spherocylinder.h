@@ -266,7 +266,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     store(contact.distance * contact.normal, sidata.delta);
     // With shared <= the normals' cosine the sum is at least 1/m: see the test of mass_coupling.
     sidata.meff = 1.0 / (inverse_effective_mass(inverse, arm, contact.normal) + coupling);
-    store(velocity_at(load(atom->v[i]), load(atom->omega[i]), arm), end_velocity);
+    store(velocity_half_a_step_ago(load(atom->v[i]), load(atom->omega[i]), arm, update->dt),
+          end_velocity);
     store(wall_velocity(surface, contact, vwall), end_wall_velocity);
 
     sidata.kn = sidata.kt = 0.0;  // a stock model need not set them

@@ -135,6 +135,22 @@ TEST(VelocityAt, SpinAboutZ)
 
 // Independent slow method: central difference of the point's path c + v t + R(w t) a. Its error is
 // |w|^3 |a| step^2 / 6, here 2e-9 of w a, and its rounding epsilon / (w step), 2e-12.
+// A rod that circles the origin at W: its centre's velocity of t - dt/2 with its axis of t give the
+// velocity that the tip had at t - dt/2, to second order in dt; without the step back to first.
+TEST(VelocityHalfAStepAgo, OnACircle)
+{
+  const Vec3 omega = {0.0, 2.0, 0.0}, arm = {0.3, 0.1, 0.0};
+  const auto error = [&](double dt) {
+    const double a = 0.5 * omega.y * dt;  // turned since, about y
+    const Vec3 centre_then = {-0.4 * std::sin(a), 0.0, -0.4 * std::cos(a)};
+    const Vec3 arm_then = {0.3 * std::cos(a), 0.1, 0.3 * std::sin(a)};
+    return norm(velocity_half_a_step_ago(cross(omega, centre_then), omega, arm, dt) -
+                cross(omega, centre_then + arm_then));
+  };
+  EXPECT_LT(error(1e-3), 1e-6);
+  EXPECT_NEAR(error(1e-3) / error(5e-4), 4.0, 0.01);
+}
+
 TEST(VelocityAt, DifferenceOfThePath)
 {
   RandomRods random(6007);
