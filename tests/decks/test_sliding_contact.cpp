@@ -204,8 +204,8 @@ TEST_P(SlidingContact, RodSpinsDownInAGroove)
 
 // A groove of half angle a that goes down at a slope b acts as friction mu/sin(a): a rod slides
 // with g (sin(b) - mu cos(b)/sin(a)). Grooves of fixed rods: two notches, four contacts that slide
-// along the rod; and two parallel rails, where each rail has one contact, at whichever point the rule for
-// parallel rods chooses.
+// along the rod; and two parallel rails, where each rail has one contact, at whichever point the
+// rule for parallel rods chooses.
 TEST_P(SlidingContact, SlidesDownAGroove)
 {
   const double slope = degrees(40.0), half_angle = degrees(40.0), friction = 0.2;
