@@ -17,10 +17,6 @@ namespace decks {
 
 namespace {
 
-// A deck here takes a second or two; a program that waits for ever is killed, because LIGGGHTS
-// only ends a run on SIGTERM (unit: second).
-constexpr int kTimeLimit = 60;
-
 // One rank without mpirun: Open MPI would start a daemon and search for networks, which takes
 // longer than most decks. Without the daemon all such programs share one session folder and remove
 // it from under each other, so each deck has its own.
@@ -48,8 +44,9 @@ std::string command_for(const std::string &deck, const Launch &launch)
     program = fmt::format("env LD_PRELOAD={} {}", SPHEROCYLINDER_LIBRARY, program);
   const std::string start =
       launch.ranks == 1
-          ? fmt::format("env {} timeout -s KILL {}", kSingleRank, kTimeLimit)
-          : fmt::format("env {} --timeout {} -np {}", kManyRanks, kTimeLimit, launch.ranks);
+          // KILL: LIGGGHTS takes SIGTERM as a wish to end the run.
+          ? fmt::format("env {} timeout -s KILL {}", kSingleRank, launch.time_limit)
+          : fmt::format("env {} --timeout {} -np {}", kManyRanks, launch.time_limit, launch.ranks);
   return fmt::format("{} {} -in {}", start, program, deck);
 }
 

@@ -18,6 +18,8 @@ enum class Program {
 struct Launch {
   Program program = Program::Lmp;
   int ranks = 1;
+  // A deck takes a second or two; a program that waits for ever is killed (unit: second).
+  int time_limit = 60;
 };
 
 struct Outcome {

@@ -30,7 +30,13 @@ double Rod::kinetic_energy() const
 
 std::string name_of(Mode mode)
 {
-  return mode == Mode::OneRank ? "OneRank" : mode == Mode::TwoRanks ? "TwoRanks" : "Restarted";
+  switch (mode) {
+    case Mode::OneRank: return "OneRank";
+    case Mode::TwoRanks: return "TwoRanks";
+    case Mode::FourRanks: return "FourRanks";
+    case Mode::Restarted: return "Restarted";
+  }
+  return "";
 }
 
 void PrintTo(Mode mode, std::ostream *out) { *out << name_of(mode); }
@@ -66,6 +72,19 @@ Velocities
                      velocities);
 }
 
+namespace {
+
+std::string processors(Mode mode)
+{
+  return mode == Mode::TwoRanks    ? "processors 2 1 1\n"
+         : mode == Mode::FourRanks ? "processors 2 2 1\n"
+                                   : "";
+}
+
+int ranks(Mode mode) { return mode == Mode::TwoRanks ? 2 : mode == Mode::FourRanks ? 4 : 1; }
+
+}  // namespace
+
 std::string preamble(const Scene &scene, Mode mode)
 {
   return fmt::format(R"(atom_style spherocylinder
@@ -75,7 +94,7 @@ newton off
 communicate single vel yes
 units si
 {})",
-                     scene.boundary, mode == Mode::TwoRanks ? "processors 2 1 1\n" : "");
+                     scene.boundary, processors(mode));
 }
 
 namespace {
@@ -141,7 +160,7 @@ std::vector<Frame> read_frames(const std::filesystem::path &dump, const Scene &s
 std::vector<Frame> run(const Scene &scene, Mode mode, Program program)
 {
   const DeckFolder folder;
-  const Launch launch{program, mode == Mode::TwoRanks ? 2 : 1};
+  const Launch launch{program, ranks(mode), scene.time_limit};
   folder.write("rods.data", data_file(scene));
   const std::string start = preamble(scene, mode);
   if (mode != Mode::Restarted) {

@@ -48,6 +48,7 @@ struct Scene {
   double dt = 1e-6;
   long steps = 0;
   long dump_every = 0;  // 0: the first and the last step only
+  int time_limit = 60;  // of the program (unit: second)
 };
 
 struct Frame {
@@ -60,8 +61,9 @@ struct Frame {
 // How a scene is run: the result must not depend on it.
 enum class Mode {
   OneRank,
-  TwoRanks,  // processors 2 1 1: the box is cut at its middle in x
-  Restarted  // on one rank, by write_restart and read_restart half-way
+  TwoRanks,   // processors 2 1 1: the box is cut at its middle in x
+  FourRanks,  // processors 2 2 1: in x and y
+  Restarted   // on one rank, by write_restart and read_restart half-way
 };
 
 std::string name_of(Mode mode);
