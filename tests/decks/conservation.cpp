@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "conservation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace decks {
+
+namespace {
+
+constexpr int kStepsPerContact = 50;  // with damping; nothing here depends on it
+constexpr int kTimeLimit = 1800;      // s
+
+std::string with_friction(double stiffness)
+{
+  return linear_material(stiffness, 0.5 * stiffness, 0.9, 0.3) +
+         rod_pair("linear tangential history") + "fix motion all nve/spherocylinder\n";
+}
+
+Scene gas_with_friction(const RodGas &gas, long steps)
+{
+  Scene scene = scene_of(gas);
+  scene.physics = with_friction(gas.stiffness);
+  scene.dt = shortest_contact(gas) / kStepsPerContact;
+  scene.steps = steps;
+  scene.dump_every = kStepsPerContact;  // each contact is seen
+  scene.time_limit = kTimeLimit;
+  return scene;
+}
+
+template <class Total>
+Conserved worst_change(const Scene &scene, double scale, Total total)
+{
+  const std::vector<Frame> frames = run(scene);
+  Conserved result;
+  result.collisions = collisions(frames);
+  result.energy_left = kinetic_energy(frames.back().rods) / kinetic_energy(scene.rods);
+  for (const Frame &frame : frames) {
+    const double change = norm(total(frame.rods) - total(scene.rods)) / scale;
+    if (!(change <= result.error)) result.error = change;
+  }
+  return result;
+}
+
+// Of the nearest images of centre and axis; ends move by the axis.
+double difference(const std::vector<Rod> &a, const std::vector<Rod> &b, const Scene &scene)
+{
+  const double side = scene.box_hi[0] - scene.box_lo[0];
+  const auto wrap = [side](double x) { return x - side * std::round(x / side); };
+  double largest = 0.0;
+  for (size_t i = 0; i < a.size(); i++) {
+    const Vec3 between = a[i].position - b[i].position;
+    largest = std::max({largest, norm(Vec3{wrap(between.x), wrap(between.y), wrap(between.z)}),
+                        norm(a[i].axis - b[i].axis) * a[i].half_cylinder()});
+  }
+  return largest;
+}
+
+}  // namespace
+
+Conserved momentum_in_periodic_gas(const RodGas &gas, long steps)
+{
+  const Scene scene = gas_with_friction(gas, steps);
+  double scale = 0.0;
+  for (const Rod &rod : scene.rods) scale += rod.mass() * norm(rod.velocity);
+  return worst_change(scene, scale, [](const std::vector<Rod> &rods) { return momentum(rods); });
+}
+
+Conserved angular_momentum_in_a_trap(const RodGas &gas, long steps)
+{
+  Scene scene = gas_with_friction(gas, steps);
+  // The cube's rods stream inwards together and round the z axis.
+  const double half = scene.box_hi[0];
+  const double rate = norm(scene.rods[0].velocity) / half;
+  for (Rod &rod : scene.rods)
+    rod.velocity = rod.velocity + cross(Vec3{0.0, 0.0, 0.5 * rate}, rod.position);
+  scene.boundary = "f f f";
+  for (int d = 0; d < 3; d++) {
+    scene.box_lo[d] = -4.0 * half;
+    scene.box_hi[d] = 4.0 * half;
+  }
+  for (const char *axis : {"x", "y", "z"})
+    scene.physics +=
+        fmt::format("variable pull_{0} atom -{1}*mass*{0}\n", axis, 4.0 * rate * rate);
+  scene.physics += "fix trap all addforce v_pull_x v_pull_y v_pull_z\n";
+
+  double scale = 0.0;
+  for (const Rod &rod : scene.rods)
+    scale += rod.mass() * norm(rod.velocity) * norm(rod.position) + norm(rod.angular_momentum());
+  return worst_change(scene, scale, [](const std::vector<Rod> &rods) {
+    return angular_momentum(rods, {0.0, 0.0, 0.0});
+  });
+}
+
+EnergyDrift energy_of_elastic_gas(const RodGas &gas, int steps_per_contact, double contacts,
+                                  bool spread_contact)
+{
+  Scene scene = scene_of(gas);
+  scene.physics = linear_material(gas.stiffness, gas.stiffness, 1.0, 0.0) +
+                  fmt::format("pair_style gran model linear tangential off surface spherocylinder "
+                              "spread_contact {}\npair_coeff * *\n",
+                              spread_contact ? "on" : "off") +
+                  "fix motion all nve/spherocylinder\n";
+  scene.dt = shortest_contact(gas) / steps_per_contact;
+  scene.dump_every = steps_per_contact / 2;  // each contact is seen
+  scene.steps = steps_per_contact * std::lround(contacts);
+  scene.time_limit = kTimeLimit;
+  const std::vector<Frame> frames = run(scene);
+
+  const double start = total_energy(scene.rods, scene, gas.stiffness);
+  const double unit = start / static_cast<double>(scene.rods.size());
+  EnergyDrift result;
+  result.dt = scene.dt;
+  result.collisions = collisions(frames);
+  const size_t stride = std::max<size_t>(1, frames.size() / 20);
+  for (size_t f = frames.size() - 1; f >= stride; f -= stride) {  // the last one first
+    const double error = (total_energy(frames[f].rods, scene, gas.stiffness) - start) / unit;
+    if (f == frames.size() - 1) result.drift = error;
+    if (!(std::fabs(error) <= result.largest)) result.largest = std::fabs(error);
+  }
+  return result;
+}
+
+std::vector<RankDifference> difference_of_ranks(const RodGas &gas, const std::vector<Mode> &modes,
+                                                long steps, long every)
+{
+  Scene scene = gas_with_friction(gas, steps);
+  scene.dump_every = every;
+  const std::vector<Frame> one = run(scene);
+  std::vector<RankDifference> result;
+  for (const Mode mode : modes) {
+    const std::vector<Frame> many = run(scene, mode);
+    for (size_t f = 1; f < one.size() && f < many.size(); f++) {
+      const std::vector<Frame> so_far(one.begin(), one.begin() + static_cast<long>(f) + 1);
+      result.push_back({mode, one[f].step, collisions(so_far),
+                        difference(many[f].rods, one[f].rods, scene)});
+    }
+  }
+  return result;
+}
+
+}  // namespace decks
