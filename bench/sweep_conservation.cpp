@@ -87,11 +87,11 @@ TEST(SweepConservation, EnergyOfAnElasticGas)
 
 TEST(SweepConservation, RanksAgree)
 {
-  ResultsFile csv("conservation_ranks.csv", "ranks,step,collisions,largest_difference_m");
+  ResultsFile csv("conservation_ranks.csv", "ranks,step,contacts,largest_difference_m");
   double at_2000 = 0.0;
   for (const RankDifference &d :
        difference_of_ranks(mixed_lengths(), {Mode::TwoRanks, Mode::FourRanks}, 20000, 1000)) {
-    csv.row("{},{},{:.0f},{:.2e}", d.mode == Mode::TwoRanks ? 2 : 4, d.step, d.collisions,
+    csv.row("{},{},{:.0f},{:.2e}", d.mode == Mode::TwoRanks ? 2 : 4, d.step, d.contacts,
             d.position);
     if (d.step == 2000) at_2000 = std::max(at_2000, d.position);
   }

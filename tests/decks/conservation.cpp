@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace decks {
 
@@ -30,6 +31,26 @@ Scene gas_with_friction(const RodGas &gas, long steps)
   return scene;
 }
 
+// The gas without walls, turning round the z axis in a central force -mass * constant * position.
+Scene trapped_gas_with_friction(const RodGas &gas, long steps)
+{
+  Scene scene = gas_with_friction(gas, steps);
+  const double half = scene.box_hi[0];
+  const double rate = norm(scene.rods[0].velocity) / half;
+  for (Rod &rod : scene.rods)
+    rod.velocity = rod.velocity + cross(Vec3{0.0, 0.0, 0.5 * rate}, rod.position);
+  scene.boundary = "f f f";
+  for (int d = 0; d < 3; d++) {
+    scene.box_lo[d] = -4.0 * half;
+    scene.box_hi[d] = 4.0 * half;
+  }
+  for (const char *axis : {"x", "y", "z"})
+    scene.physics +=
+        fmt::format("variable pull_{0} atom -{1}*mass*{0}\n", axis, 4.0 * rate * rate);
+  scene.physics += "fix trap all addforce v_pull_x v_pull_y v_pull_z\n";
+  return scene;
+}
+
 template <class Total>
 Conserved worst_change(const Scene &scene, double scale, Total total)
 {
@@ -44,15 +65,11 @@ Conserved worst_change(const Scene &scene, double scale, Total total)
   return result;
 }
 
-// Of the nearest images of centre and axis; ends move by the axis.
-double difference(const std::vector<Rod> &a, const std::vector<Rod> &b, const Scene &scene)
+double difference(const std::vector<Rod> &a, const std::vector<Rod> &b)
 {
-  const double side = scene.box_hi[0] - scene.box_lo[0];
-  const auto wrap = [side](double x) { return x - side * std::round(x / side); };
   double largest = 0.0;
   for (size_t i = 0; i < a.size(); i++) {
-    const Vec3 between = a[i].position - b[i].position;
-    largest = std::max({largest, norm(Vec3{wrap(between.x), wrap(between.y), wrap(between.z)}),
+    largest = std::max({largest, norm(a[i].position - b[i].position),
                         norm(a[i].axis - b[i].axis) * a[i].half_cylinder()});
   }
   return largest;
@@ -70,22 +87,7 @@ Conserved momentum_in_periodic_gas(const RodGas &gas, long steps)
 
 Conserved angular_momentum_in_a_trap(const RodGas &gas, long steps)
 {
-  Scene scene = gas_with_friction(gas, steps);
-  // The cube's rods stream inwards together and round the z axis.
-  const double half = scene.box_hi[0];
-  const double rate = norm(scene.rods[0].velocity) / half;
-  for (Rod &rod : scene.rods)
-    rod.velocity = rod.velocity + cross(Vec3{0.0, 0.0, 0.5 * rate}, rod.position);
-  scene.boundary = "f f f";
-  for (int d = 0; d < 3; d++) {
-    scene.box_lo[d] = -4.0 * half;
-    scene.box_hi[d] = 4.0 * half;
-  }
-  for (const char *axis : {"x", "y", "z"})
-    scene.physics +=
-        fmt::format("variable pull_{0} atom -{1}*mass*{0}\n", axis, 4.0 * rate * rate);
-  scene.physics += "fix trap all addforce v_pull_x v_pull_y v_pull_z\n";
-
+  const Scene scene = trapped_gas_with_friction(gas, steps);
   double scale = 0.0;
   for (const Rod &rod : scene.rods)
     scale += rod.mass() * norm(rod.velocity) * norm(rod.position) + norm(rod.angular_momentum());
@@ -126,16 +128,17 @@ EnergyDrift energy_of_elastic_gas(const RodGas &gas, int steps_per_contact, doub
 std::vector<RankDifference> difference_of_ranks(const RodGas &gas, const std::vector<Mode> &modes,
                                                 long steps, long every)
 {
-  Scene scene = gas_with_friction(gas, steps);
+  Scene scene = trapped_gas_with_friction(gas, steps);
   scene.dump_every = every;
   const std::vector<Frame> one = run(scene);
   std::vector<RankDifference> result;
   for (const Mode mode : modes) {
     const std::vector<Frame> many = run(scene, mode);
     for (size_t f = 1; f < one.size() && f < many.size(); f++) {
-      const std::vector<Frame> so_far(one.begin(), one.begin() + static_cast<long>(f) + 1);
-      result.push_back({mode, one[f].step, collisions(so_far),
-                        difference(many[f].rods, one[f].rods, scene)});
+      const double touching =
+          std::accumulate(one[f].contacts.begin(), one[f].contacts.end(), 0.0);
+      result.push_back(
+          {mode, one[f].step, 0.5 * touching, difference(many[f].rods, one[f].rods)});
     }
   }
   return result;

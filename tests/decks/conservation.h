@@ -33,12 +33,13 @@ struct EnergyDrift {
 EnergyDrift energy_of_elastic_gas(const RodGas &gas, int steps_per_contact, double contacts,
                                   bool spread_contact);
 
-// How far the gas with damping and friction is from that on one rank.
+// How far the trapped gas with damping and friction is from that on one rank. Its rods have several
+// contacts at a time, and forces added in another order differ by round-off.
 struct RankDifference {
   Mode mode;
   long step;
-  double collisions;  // contacts begun so far
-  double position;    // largest of the centres and, with the axes, of the ends (m)
+  double contacts;  // at that step
+  double position;  // largest of the centres and, with the axes, of the ends (m)
 };
 
 std::vector<RankDifference> difference_of_ranks(const RodGas &gas, const std::vector<Mode> &modes,

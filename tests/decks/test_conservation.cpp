@@ -73,7 +73,7 @@ TEST(Conservation, RanksAgree)
   const std::vector<RankDifference> differences =
       difference_of_ranks(small_gas(), {Mode::TwoRanks, Mode::FourRanks}, 2000, 2000);
   for (const RankDifference &d : differences)
-    expect_holds({"Gas with friction, 1 and " + std::string(d.mode == Mode::TwoRanks ? "2" : "4") +
+    expect_holds({"Trapped gas with friction, 1 and " + std::string(d.mode == Mode::TwoRanks ? "2" : "4") +
                       " ranks, 2000 steps: position (m)", "same scene", 1e-12},
                  d.position);
 }
