@@ -40,7 +40,7 @@ double distance(const Segment &i, const Segment &j)
 // Distance of the contact points of the second rule.
 double spread_distance(const Segment &i, const Segment &j, double reach)
 {
-  return std::sqrt(spread_contact(i, j, reach, closest_points(i, j)).distance_squared);
+  return reach - spread_contact(i, j, reach, closest_points(i, j)).overlap;
 }
 
 std::string text_of(const Segment &segment)

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the two rules for the contact of nearly parallel rods do (docs/notes/parallel_rods.md): the
 // plain closest point and spread_contact. Each scene is run with both; one CSV line a figure.
-//   build/bench/sweep_parallel bench/results/parallel_rods.csv
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iostream>
 #include <random>
 
 #include "core/spread_contact.h"
+#include "results_file.h"
 #include "scene.h"
 
 using namespace decks;
@@ -21,15 +19,13 @@ namespace {
 
 constexpr double kGravity = 9.81;
 constexpr double kStiffness = 1e5;
-std::ofstream table;
 
 void put(bool spread, const std::string &scene, const std::string &figure, double value)
 {
-  const std::string line =
-      fmt::format("{},{},{},{:.3e}", spread ? "spread" : "closest", scene, figure, value);
-  fmt::print("{}\n", line);
-  std::cout.flush();
-  table << line << std::endl;
+  static ResultsFile table("parallel_rods.csv", "spread_contact,scene,figure,value");
+  table.row("{},{},{},{:.3e}", spread ? "on" : "off", scene, figure, value);
+  fmt::print("spread_contact {}: {}: {} {:.3e}\n", spread ? "on" : "off", scene, figure, value);
+  std::fflush(stdout);
 }
 
 std::string pair_line(const std::string &models, bool spread)
@@ -262,11 +258,12 @@ void torque_jump(bool spread)
     const double tilt = 1e-6 * k;
     const sc::Segment i{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, half};
     const sc::Segment j{{0.01, 0.0, diameter - overlap}, {std::cos(tilt), 0.0, std::sin(tilt)}, half};
-    sc::ClosestPoints c = sc::closest_points(i, j);
-    if (spread) c = sc::spread_contact(i, j, diameter, c);
-    const double distance = std::sqrt(c.distance_squared);
+    const sc::ClosestPoints closest = sc::closest_points(i, j);
+    sc::RodContact contact{closest, diameter - std::sqrt(closest.distance_squared)};
+    if (spread) contact = sc::spread_contact(i, j, diameter, closest);
+    const sc::ClosestPoints &c = contact.points;
     const sc::Vec3 torque =
-        sc::cross(c.s * i.axis, (kStiffness * (diameter - distance) / distance) * c.delta);
+        sc::cross(c.s * i.axis, (kStiffness * contact.overlap / sc::norm(c.delta)) * c.delta);
     if (k > -5000) jump = std::max(jump, sc::norm(torque - last));
     largest = std::max(largest, sc::norm(torque));
     last = torque;
@@ -275,7 +272,9 @@ void torque_jump(bool spread)
       jump / largest);
 }
 
-TEST(Sweep, ParallelRods)
+}  // namespace
+
+TEST(SweepParallel, BothRules)
 {
   for (const bool spread : {false, true}) {
     torque_jump(spread);
@@ -287,18 +286,4 @@ TEST(Sweep, ParallelRods)
     sliding_in_groove(spread);
     elastic_stack(spread);
   }
-}
-
-}  // namespace
-
-int main(int argc, char **argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  if (argc != 2) {
-    fmt::print(stderr, "usage: sweep_parallel FILE.csv\n");
-    return 2;
-  }
-  table.open(argv[1]);
-  table << "rule,scene,figure,value\n";
-  return RUN_ALL_TESTS();
 }

@@ -7,7 +7,8 @@ namespace {
 
 ClosestPoints pair_at(const Segment &i, double s, const Segment &j, double t)
 {
-  const Vec3 delta = i.at(s) - j.at(t);
+  // Not at(s) - at(t): far from the origin the difference of the centres comes first.
+  const Vec3 delta = (i.centre - j.centre) + s * i.axis - t * j.axis;
   return {s, t, delta, norm_squared(delta)};
 }
 

@@ -7,47 +7,79 @@ namespace spherocylinder {
 
 namespace {
 
-struct Candidate {
-  double s, t;
-  double overlap;  // 0 if the rods do not overlap there
+// Overlap, over the sum of the radii, above which only rods more nearly parallel are spread over:
+// contacts of hard rods are well below, and crossed rods driven deep into each other keep their
+// closest point, whose force has an energy.
+constexpr double kDeep = 0.1;
+
+// The part of a segment that lies beside another one, as positions on its axis.
+struct Range {
+  double low, high;
+
+  double half() const { return 0.5 * (high - low); }
 };
 
-Candidate candidate_at(const Segment &i, double s, const Segment &j, double reach)
+Range beside(const Segment &segment, const Segment &other, double abs_cosine)
 {
-  const Vec3 point = i.at(s);
-  const double t = closest_position(j, point);
-  return {s, t, std::max(0.0, reach - norm(point - j.at(t)))};
+  const double middle = dot(other.centre - segment.centre, segment.axis);
+  const double reach = other.half_length * abs_cosine;
+  return {std::max(-segment.half_length, middle - reach),
+          std::min(segment.half_length, middle + reach)};
+}
+
+// Resultant of the forces at several points of the two axes.
+struct Resultant {
+  double overlap = 0.0, s = 0.0, t = 0.0;  // s, t: times their overlap until divided
+
+  void add(double part, double at_s, double at_t)
+  {
+    overlap += part;
+    s += part * at_s;
+    t += part * at_t;
+  }
+};
+
+double overlap_at(const Segment &i, double s, const Segment &j, double t, double reach)
+{
+  return std::max(0.0, reach - norm((i.centre - j.centre) + s * i.axis - t * j.axis));
 }
 
 }  // namespace
 
-ClosestPoints spread_contact(const Segment &i, const Segment &j, double reach,
-                             const ClosestPoints &closest)
+RodContact spread_contact(const Segment &i, const Segment &j, double reach,
+                          const ClosestPoints &closest)
 {
   const double overlap = reach - std::sqrt(closest.distance_squared);
-  const double middle = dot(j.centre - i.centre, i.axis);
-  const double beside = j.half_length * std::fabs(dot(i.axis, j.axis));
-  const double a = std::max(-i.half_length, middle - beside);
-  const double b = std::min(i.half_length, middle + beside);
-  if (!(a < b) || !(overlap > 0.0)) return closest;  // end to end: nothing to spread over
+  const Range on_i = beside(i, j, std::fabs(dot(i.axis, j.axis)));
+  const Range on_j = beside(j, i, std::fabs(dot(i.axis, j.axis)));
+  // The first two: end to end, there is nothing to spread over.
+  if (!(on_i.low < on_i.high) || !(on_j.low < on_j.high) || !(overlap > 0.0))
+    return {closest, overlap};
 
-  const double half = 0.5 * (b - a);
   const double squared_sine = norm_squared(cross(i.axis, j.axis));
-  const double squared_ratio = half * half * squared_sine / (2.0 * reach * overlap);
-  if (squared_ratio >= 1.0) return closest;
-  const double g = (1.0 - squared_ratio) * (1.0 - squared_ratio);
+  const double depth = overlap / (kDeep * reach);
+  const double squared_ratio = on_i.half() * on_j.half() * squared_sine *
+                               (1.0 + depth * depth) / (2.0 * reach * overlap);
+  if (squared_ratio >= 1.0) return {closest, overlap};
+  const double share = (1.0 - squared_ratio) * (1.0 - squared_ratio);
 
-  const Candidate A = candidate_at(i, a, j, reach);
-  const Candidate B = candidate_at(i, b, j, reach);
-  const double at_closest = (1.0 - g) * overlap, at_a = 0.5 * g * A.overlap,
-               at_b = 0.5 * g * B.overlap;
-  const double felt = at_closest + at_a + at_b;
-  const double s = (at_closest * closest.s + at_a * A.s + at_b * B.s) / felt;
-  const double t = (at_closest * closest.t + at_a * A.t + at_b * B.t) / felt;
-  const Vec3 delta = i.at(s) - j.at(t);
-  const double distance = norm(delta);
-  if (!(felt > 0.0) || !(distance > 0.0)) return closest;
-  return {s, t, ((reach - felt) / distance) * delta, (reach - felt) * (reach - felt)};
+  Resultant sum;
+  sum.add((1.0 - share) * overlap, closest.s, closest.t);
+  for (const double s : {on_i.low, on_i.high}) {
+    const double t = closest_position(j, i.at(s));
+    sum.add(0.25 * share * overlap_at(i, s, j, t, reach), s, t);
+  }
+  for (const double t : {on_j.low, on_j.high}) {
+    const double s = closest_position(i, j.at(t));
+    sum.add(0.25 * share * overlap_at(i, s, j, t, reach), s, t);
+  }
+  if (!(sum.overlap > 0.0)) return {closest, overlap};
+
+  const double s = sum.s / sum.overlap, t = sum.t / sum.overlap;
+  const Vec3 delta = (i.centre - j.centre) + s * i.axis - t * j.axis;
+  const double distance_squared = norm_squared(delta);
+  if (distance_squared == 0.0) return {closest, overlap};
+  return {{s, t, delta, distance_squared}, sum.overlap};
 }
 
 }  // namespace spherocylinder

@@ -6,26 +6,30 @@
 
 namespace spherocylinder {
 
+struct RodContact {
+  ClosestPoints points;  // where on the two axes it sits
+  double overlap;        // that the contact feels: its force is one stiffness times this
+};
+
 // The closest point of two rods jumps from one end of their common length to the other when the
-// angle between them passes zero, and the torque jumps with it. This rule takes two candidates that
-// sit at the two ends of the common length for parallel rods and draw together to the closest point
-// s* as the rods turn apart:
+// angle between them passes zero, and the torque jumps with it. This rule shares one contact among
+// three points: half a spring at each end of the common length, and the closest point,
 //
-//   s_A = s* + g (a - s*), s_B = s* + g (b - s*)   g = (1 - q^2)^2, 0 for q >= 1
-//   q = H sin(theta) / sqrt(2 reach overlap)
+//   overlap = (1 - g) overlap* + g (overlap_A + overlap_B)/2
+//   g = (1 - q^2)^2,  q^2 = H^2 sin^2(theta) (1 + (10 overlap*/reach)^2) / (2 reach overlap*)
 //
-// with [a, b] the part of rod i beside rod j, H half its length, and q the ratio of H to the half
-// length of the patch in which two crossed rods overlap. Each candidate is half a spring: the
-// contact has the mean of their overlaps (0 where the rods do not overlap) and sits at their
-// resultant, the mean of the candidates weighted by their overlaps. It stays one contact, with one
-// stiffness when the rods are parallel (half of it while a slightly tilted rod touches with one end
-// only). Force and torque are continuous; with the candidates at the ends they have an energy,
-// (k/4)(overlap_A^2 + overlap_B^2), and where q < 1 moves them, nearly: docs/notes/parallel_rods.md.
+// and sits at the resultant of their forces. overlap* is that of the closest point, A and B are the
+// ends of the part of one rod beside the other (an end that does not overlap gives 0), H half that
+// length, and q for small overlaps the ratio of H to the half length of the patch in which two
+// crossed rods overlap. From q = 1 on the closest point is all. The weights sum to 1: the stiffness is that of one contact, half of it while a slightly tilted rod touches with
+// one end only. Each of A and B is taken on both rods and averaged, so that the rule does not
+// depend on which rod is i.
 //
-// `closest`: what closest_points(i, j) gave, nearer than `reach`, the sum of the radii. Returns the
-// contact's points on the two axes in the same form, with `delta` scaled to the length
-// reach - mean overlap.
-ClosestPoints spread_contact(const Segment &i, const Segment &j, double reach,
-                             const ClosestPoints &closest);
+// Force and torque are continuous in the pose. While q is small they are those of two springs and
+// conserve energy; where g changes they do so only nearly: docs/notes/parallel_rods.md.
+//
+// `closest`: what closest_points(i, j) gave, nearer than `reach`, the sum of the radii.
+RodContact spread_contact(const Segment &i, const Segment &j, double reach,
+                          const ClosestPoints &closest);
 
 }  // namespace spherocylinder

@@ -42,7 +42,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   {
     Settings settings(lmp);
     model_.registerSettings(settings);
-    settings.registerOnOff("spread_contact", spread_contact_, false);
+    settings.registerOnOff("spread_contact", spread_contact_, true);
     const bool understood = settings.parseArguments(nargs, args);
     model_.postSettings(hsetup);
     if (!understood) error->all(FLERR, settings.error_message.c_str());
@@ -95,7 +95,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   PairGran *parent_;
   ContactModel model_;
   ContactMonitor monitor_;
-  bool spread_contact_ = false;  // continuous rule for nearly parallel rods
+  bool spread_contact_ = true;  // continuous rule for nearly parallel rods
   bool has_tangential_ = false;
   bool has_settings_ = false;  // false for a pair style made by read_restart
   int side_offset_ = -1;       // of the remembered normal in a pair's history, -1 if none
@@ -111,56 +111,74 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   CloseRodPairs close_pairs_;
 
   void read_rods(int frozen_bit);
-  spherocylinder::ClosestPoints contact_points(int i, int j) const;
-  void set_geometry(SurfacesIntersectData &sidata, const spherocylinder::ClosestPoints &closest,
-                    bool remember) const;
+  spherocylinder::ClosestPoints nearest(int i, int j) const;
+  spherocylinder::RodContact spread(int i, int j, const spherocylinder::ClosestPoints &closest,
+                                    double reach) const;
+  spherocylinder::ClosestPoints set_geometry(SurfacesIntersectData &sidata,
+                                             const spherocylinder::ClosestPoints &closest,
+                                             bool remember) const;
   void separate(SurfacesIntersectData &sidata, ForceData &i_forces, ForceData &j_forces);
   void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
               ForceData &j_forces) const;
 };
 
-// Where two rods touch, or would. Both ranks that see a pair across their border must get the same
-// points: of equally near ones the choice depends on the order, so it is that of the rods' ids.
-template <typename ContactModel>
-spherocylinder::ClosestPoints GranularSpherocylinder<ContactModel>::contact_points(int i,
-                                                                                   int j) const
+// Points of the partner's order.
+inline spherocylinder::ClosestPoints swapped(const spherocylinder::ClosestPoints &points)
 {
-  using namespace spherocylinder;
-  const bool in_order = atom->tag[i] < atom->tag[j];
-  const Capsule &first = rods_[in_order ? i : j], &second = rods_[in_order ? j : i];
-  ClosestPoints points = closest_points(first.segment, second.segment);
-  if (spread_contact_) {
-    const double reach = first.radius + second.radius;
-    if (points.distance_squared < reach * reach)
-      points = spherocylinder::spread_contact(first.segment, second.segment, reach, points);
-  }
-  if (in_order) return points;
   return {points.t, points.s, -points.delta, points.distance_squared};
 }
 
-// Normal, distance and overlap of a touching pair.
+// Both ranks that see a pair across their border must get the same points, to the last bit, and of
+// equally near ones the choice depends on the order: it is that of the rods' ids.
+template <typename ContactModel>
+spherocylinder::ClosestPoints GranularSpherocylinder<ContactModel>::nearest(int i, int j) const
+{
+  if (atom->tag[i] < atom->tag[j])
+    return spherocylinder::closest_points(rods_[i].segment, rods_[j].segment);
+  return swapped(spherocylinder::closest_points(rods_[j].segment, rods_[i].segment));
+}
+
+template <typename ContactModel>
+spherocylinder::RodContact GranularSpherocylinder<ContactModel>::spread(
+    int i, int j, const spherocylinder::ClosestPoints &closest, double reach) const
+{
+  using namespace spherocylinder;
+  if (atom->tag[i] < atom->tag[j])
+    return spread_contact(rods_[i].segment, rods_[j].segment, reach, closest);
+  const RodContact contact =
+      spread_contact(rods_[j].segment, rods_[i].segment, reach, swapped(closest));
+  return {swapped(contact.points), contact.overlap};
+}
+
+// Normal, overlap and distances of a touching pair; returns where on the axes the contact sits.
 //
 // The normal points along p - q. Where the pair was in contact before, it must not turn round:
 // p - q does so when two axes are driven past each other, and the distance then counts as negative,
 // so that the overlap goes on growing and the rods are pushed back the way they came. Where the
 // axes meet exactly the last normal serves, or without one the common perpendicular.
 template <typename ContactModel>
-void GranularSpherocylinder<ContactModel>::set_geometry(
+spherocylinder::ClosestPoints GranularSpherocylinder<ContactModel>::set_geometry(
     SurfacesIntersectData &sidata, const spherocylinder::ClosestPoints &closest,
     bool remember) const
 {
   using namespace spherocylinder;
   double *side = remember && sidata.contact_history ? sidata.contact_history + side_offset_ : nullptr;
   const bool was_touching = side && (side[0] != 0.0 || side[1] != 0.0 || side[2] != 0.0);
+  const bool passed = was_touching && dot(closest.delta, load(side)) < 0.0;
 
+  RodContact contact{closest, 0.0};
   double distance = std::sqrt(closest.distance_squared);
+  if (spread_contact_ && !passed) {
+    contact = spread(sidata.i, sidata.j, closest, sidata.radsum);
+    distance = std::sqrt(contact.points.distance_squared);
+  } else {
+    contact.overlap = passed ? sidata.radsum + distance : sidata.radsum - distance;
+  }
+
   Vec3 normal;
   if (distance > 0.0) {
-    normal = (1.0 / distance) * closest.delta;
-    if (was_touching && dot(normal, load(side)) < 0.0) {
-      normal = -normal;
-      distance = -distance;
-    }
+    if (passed) distance = -distance;
+    normal = (1.0 / distance) * contact.points.delta;
   } else if (was_touching) {
     normal = load(side);
   } else {
@@ -171,13 +189,17 @@ void GranularSpherocylinder<ContactModel>::set_geometry(
     normal = (1.0 / norm(normal)) * normal;
   }
 
-  sidata.r = distance;
-  sidata.rsq = closest.distance_squared;
-  sidata.rinv = distance != 0.0 ? 1.0 / distance : 0.0;
-  sidata.deltan = sidata.radsum - distance;
+  sidata.deltan = contact.overlap;
+  sidata.r = sidata.radsum - contact.overlap;
+  sidata.rsq = sidata.r * sidata.r;
+  sidata.rinv = sidata.r != 0.0 ? 1.0 / sidata.r : 0.0;
+  const double half_overlap = 0.5 * (sidata.radsum - distance);  // the contact is midway
+  sidata.cri = sidata.radi - half_overlap;
+  sidata.crj = sidata.radj - half_overlap;
   store(normal, sidata.en);
   store(distance * normal, sidata.delta);
   if (side && sidata.computeflag && sidata.shearupdate) store(normal, side);
+  return contact.points;
 }
 
 // A pair that no longer touches forgets its contact.
@@ -262,7 +284,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
       separate(sidata, i_forces, j_forces);
       continue;
     }
-    const ClosestPoints closest = contact_points(i, j);
+    const ClosestPoints closest = nearest(i, j);
     if (closest.distance_squared >= reach * reach) {
       separate(sidata, i_forces, j_forces);
       continue;
@@ -277,10 +299,10 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
     sidata.mj = atom->rmass[j];
     sidata.omega_i = atom->omega[i];
     sidata.omega_j = atom->omega[j];
-    set_geometry(sidata, closest, remember);
+    const ClosestPoints contact = set_geometry(sidata, closest, remember);
 
     const Motion &motion_i = motions_[i], &motion_j = motions_[j];
-    const Vec3 arm_i = closest.s * rod_i.segment.axis, arm_j = closest.t * rod_j.segment.axis;
+    const Vec3 arm_i = contact.s * rod_i.segment.axis, arm_j = contact.t * rod_j.segment.axis;
     const Vec3 normal = load(sidata.en);
     store(velocity_half_a_step_ago(motion_i.velocity, motion_i.omega, arm_i, dt), velocity_i);
     store(velocity_half_a_step_ago(motion_j.velocity, motion_j.omega, arm_j, dt), velocity_j);

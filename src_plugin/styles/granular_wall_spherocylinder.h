@@ -262,6 +262,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     sidata.rsq = contact.distance * contact.distance;
     sidata.rinv = contact.distance != 0.0 ? 1.0 / contact.distance : 0.0;
     sidata.deltan = radius - contact.distance;
+    sidata.cri = radius - 0.5 * sidata.deltan;
+    sidata.crj = 0.0;
     store(contact.normal, sidata.en);
     store(contact.distance * contact.normal, sidata.delta);
     // With shared <= the normals' cosine the sum is at least 1/m: see the test of mass_coupling.

@@ -18,9 +18,10 @@ namespace ContactModels {
 //   v_i, v_j   velocity of the points on the axes (not of the rods' centres)
 //   en         unit normal, towards rod i
 //   r          distance of the points along en (negative once the axes have passed each other)
+//   cri, crj   distances of the points on the axes from the contact point, midway in the overlap
 //   radi, radj, deltan, meff (effective mass at the contact)
-// This model turns them into the relative velocity at the contact point, midway in the overlap,
-// by the same formulas as LIGGGHTS's default surface model.
+// This model turns them into the relative velocity at the contact point, by the same formulas as
+// LIGGGHTS's default surface model.
 template <>
 class SurfaceModel<SURFACE_SPHEROCYLINDER> : public SurfaceModelBase {
  public:
@@ -50,9 +51,6 @@ class SurfaceModel<SURFACE_SPHEROCYLINDER> : public SurfaceModelBase {
   inline void surfacesIntersect(SurfacesIntersectData &sidata, ForceData &, ForceData &)
   {
     const double *en = sidata.en, *wi = sidata.omega_i, *wj = sidata.omega_j;
-    sidata.cri = sidata.radi - 0.5 * sidata.deltan;
-    sidata.crj = sidata.is_wall ? 0.0 : sidata.radj - 0.5 * sidata.deltan;
-
     double vr[3], spin[3];  // spin: cri w_i + crj w_j
     for (int d = 0; d < 3; d++) {
       vr[d] = sidata.v_i[d] - sidata.v_j[d];

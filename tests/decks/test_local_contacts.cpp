@@ -270,7 +270,7 @@ Scene heap()
     scene.box_hi[d] = 0.11;
   }
   scene.box_lo[2] = -0.1;
-  scene.physics = linear_material(1e4, 5e3, 0.5, 0.3) + rod_pair(kStick) +
+  scene.physics = linear_material(1e4, 5e3, 0.5, 0.3) +
                   rod_wall("floor", kStick, "type 1 zplane 0.0") + kMove + kWeight;
   scene.dt = 1e-5;
   scene.steps = 300;
@@ -281,13 +281,16 @@ Scene heap()
 Scene heap_in_a_vessel()
 {
   Scene scene = heap();
-  scene.physics += rod_wall("side", kStick, "type 1 zcylinder 0.107 0.0 0.0");
+  scene.physics += rod_wall("side", kStick, "type 1 zcylinder 0.107 0.0 0.0") +
+                   "pair_style gran model linear tangential history surface spherocylinder "
+                   "spread_contact off\npair_coeff * *\n";
   return scene;
 }
 
 Scene heap_across_boundaries()
 {
   Scene scene = heap();
+  scene.physics += rod_pair(kStick);
   scene.boundary = "p p f";
   for (Rod &rod : scene.rods) {
     rod.position.x += 0.11;
@@ -431,17 +434,18 @@ void expect_each_pair_once(const Frame &frame, const std::vector<Contact> &conta
   EXPECT_EQ(counted, frame.contacts);
 }
 
-void expect_rows_of_a_heap(const Scene &scene, Mode mode, const std::string &name)
+// `closest`: contacts sit at the closest points (spread_contact off).
+void expect_rows_of_a_heap(const Scene &scene, Mode mode, const std::string &name, bool closest)
 {
   const Result result = look(scene, mode);
   ASSERT_EQ(result.frames.size(), 4u);
   size_t at_walls[2] = {0, 0}, across = 0;
   for (size_t frame = 0; frame < result.frames.size(); frame++) {
     const std::vector<Rod> &rods = result.frames[frame].rods;
-    ASSERT_GT(result.pairs[frame].size(), 25u);
+    ASSERT_GT(result.pairs[frame].size(), 15u);
     expect_each_pair_once(result.frames[frame], result.pairs[frame]);
     expect_rows_sum_to_loads(scene, result, frame, name);
-    expect_points_are_closest(scene, rods, result.pairs[frame], name);
+    if (closest) expect_points_are_closest(scene, rods, result.pairs[frame], name);
     expect_points_are_in_walls(rods, result.walls[frame]);
     expect_parts_belong_together(result.pairs[frame]);
     expect_parts_belong_together(result.walls[frame]);
@@ -457,13 +461,13 @@ void expect_rows_of_a_heap(const Scene &scene, Mode mode, const std::string &nam
 TEST_P(LocalContacts, HeapInAVessel)
 {
   const Scene scene = heap_in_a_vessel();
-  expect_rows_of_a_heap(scene, GetParam(), "Heap in a vessel");
+  expect_rows_of_a_heap(scene, GetParam(), "Heap in a vessel", true);
 }
 
 TEST_P(LocalContacts, HeapAcrossBoundaries)
 {
   const Scene scene = heap_across_boundaries();
-  expect_rows_of_a_heap(scene, GetParam(), "Heap across boundaries");
+  expect_rows_of_a_heap(scene, GetParam(), "Heap across boundaries", false);
 }
 
 INSTANTIATE_TEST_SUITE_P(, LocalContacts, testing::Values(Mode::OneRank, Mode::TwoRanks),

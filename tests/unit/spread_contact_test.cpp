@@ -37,11 +37,12 @@ struct Load {
 
 Load load_of(const Scene &scene, bool spread)
 {
-  ClosestPoints c = closest_points(scene.i, scene.j);
-  if (c.distance_squared >= kReach * kReach) return {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
-  if (spread) c = spread_contact(scene.i, scene.j, kReach, c);
-  const double distance = std::sqrt(c.distance_squared);
-  const Vec3 force = ((kReach - distance) / distance) * c.delta;
+  const ClosestPoints closest = closest_points(scene.i, scene.j);
+  if (closest.distance_squared >= kReach * kReach) return {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  RodContact contact{closest, kReach - std::sqrt(closest.distance_squared)};
+  if (spread) contact = spread_contact(scene.i, scene.j, kReach, closest);
+  const ClosestPoints &c = contact.points;
+  const Vec3 force = (contact.overlap / norm(c.delta)) * c.delta;
   return {force, cross(c.s * scene.i.axis, force)};
 }
 
@@ -68,11 +69,11 @@ TEST(SpreadContact, ParallelRodsTouchAtTheMiddleOfTheirCommonLength)
 {
   for (const double shift : {0.0, 1.0, -3.0, 7.0}) {
     const Scene scene = stacked(0.0, 0.0, shift);
-    const ClosestPoints c =
+    const RodContact c =
         spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
-    EXPECT_NEAR(c.s, 0.5 * shift, 1e-12);
-    EXPECT_NEAR(c.t, -0.5 * shift, 1e-12);
-    EXPECT_NEAR(std::sqrt(c.distance_squared), kReach - kOverlap, 1e-15);
+    EXPECT_NEAR(c.points.s, 0.5 * shift, 1e-12);
+    EXPECT_NEAR(c.points.t, -0.5 * shift, 1e-12);
+    EXPECT_NEAR(c.overlap, kOverlap, 1e-15);
   }
 }
 
@@ -147,10 +148,33 @@ TEST(SpreadContact, CrossedRodsKeepTheirClosestPoint)
 {
   const Scene scene = stacked(0.0, 1.0, 0.5);
   const ClosestPoints plain = closest_points(scene.i, scene.j);
-  const ClosestPoints c = spread_contact(scene.i, scene.j, kReach, plain);
+  const ClosestPoints c = spread_contact(scene.i, scene.j, kReach, plain).points;
   EXPECT_EQ(c.s, plain.s);
   EXPECT_EQ(c.t, plain.t);
   EXPECT_EQ(c.distance_squared, plain.distance_squared);
+}
+
+// Which rod is i does not matter: the overlap is the same and the points trade places.
+TEST(SpreadContact, IsTheSameFromEitherRod)
+{
+  RandomRods random(32452843);
+  int spread = 0;
+  for (int k = 0; k < 200000; ++k) {
+    Scene scene = stacked(random.uniform(-0.01, 0.01), random.uniform(-0.1, 0.1),
+                          random.uniform(-8.0, 8.0));
+    scene.j.half_length *= random.uniform(0.2, 1.0);
+    const ClosestPoints closest = closest_points(scene.i, scene.j);
+    if (closest.distance_squared >= kReach * kReach) continue;
+    const RodContact one = spread_contact(scene.i, scene.j, kReach, closest);
+    const RodContact other =
+        spread_contact(scene.j, scene.i, kReach,
+                       {closest.t, closest.s, -closest.delta, closest.distance_squared});
+    spread += one.overlap < kReach - std::sqrt(closest.distance_squared);
+    ASSERT_NEAR(other.overlap, one.overlap, 1e-14);
+    ASSERT_NEAR(other.points.s, one.points.t, 1e-10);
+    ASSERT_NEAR(other.points.t, one.points.s, 1e-10);
+  }
+  EXPECT_GT(spread, 10000);
 }
 
 // Any size: the rule has no length of its own.
@@ -159,13 +183,13 @@ TEST(SpreadContact, Rescales)
   for (const double scale : {1e-6, 1e3}) {
     Scene scene = stacked(1e-3, 2e-3, 1.0);
     const ClosestPoints one =
-        spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
+        spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j)).points;
     for (Segment *segment : {&scene.i, &scene.j}) {
       segment->centre = scale * segment->centre;
       segment->half_length *= scale;
     }
     const ClosestPoints other =
-        spread_contact(scene.i, scene.j, scale * kReach, closest_points(scene.i, scene.j));
+        spread_contact(scene.i, scene.j, scale * kReach, closest_points(scene.i, scene.j)).points;
     EXPECT_NEAR(other.s / scale, one.s, 1e-9);
     EXPECT_NEAR(other.t / scale, one.t, 1e-9);
   }
