@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One end of a rod meets a wall. All runs stop after the first contact: the other end comes down
-// later.
+// Ends of rods meet walls. Where one end does, the run stops after that contact: the other end comes
+// down later.
 #include <algorithm>
 #include <cmath>
 
@@ -179,6 +179,44 @@ TEST_P(WallImpact, EndAgainstTheInsideOfACylinder)
   expect_holds(
       {"Rod ends against the inside of a cylinder, 12 rods", "J = (1+e) v_n/K", kImpactTolerance},
       error);
+}
+
+// Flat on a plane: both ends touch at once and share the load, so that m_eff = m/2 at each. The rod
+// parts with e times its speed of approach and does not turn.
+TEST_P(WallImpact, FlatLanding)
+{
+  const double restitutions[] = {1.0, 0.9, 0.5, 0.2};
+  Scene scene;
+  scene.types = 4;
+  scene.box_lo[2] = -0.1;
+  for (const double ratio : {1.5, 3.0, 10.0, 30.0})
+    for (int type = 1; type <= 4; type++) {
+      Rod rod;
+      rod.type = type;
+      rod.length = ratio * rod.diameter;
+      rod.velocity.z = -kApproach;
+      rod.position = {-0.5, -0.9 + 0.1 * static_cast<double>(scene.rods.size()),
+                      rod.radius() + kGap};
+      scene.rods.push_back(rod);
+    }
+  scene.physics = pair_property("kn", 4, 1e6) + pair_property("kt", 4, 1e6) +
+                  pair_property("coefficientRestitution", 4,
+                                [&](int i, int j) { return restitutions[std::max(i, j) - 1]; }) +
+                  rod_pair("linear tangential off") +
+                  rod_wall("floor", "linear tangential off", "type 1 zplane 0.0") +
+                  "fix motion all nve/spherocylinder\n";
+  scene.dt = 3e-8;
+  scene.steps = 40000;
+
+  const std::vector<Rod> after = run(scene, GetParam()).back().rods;
+  double error = 0.0;
+  for (size_t i = 0; i < scene.rods.size(); i++) {
+    Rod wanted = scene.rods[i];
+    wanted.velocity.z = kApproach * restitutions[wanted.type - 1];
+    error = std::max(error, difference(after[i], wanted));
+  }
+  expect_holds({"Flat landing on both ends, 16 rods: speed, / approach", "e", kImpactTolerance},
+               error);
 }
 
 DECKS_IN_ALL_MODES(WallImpact);

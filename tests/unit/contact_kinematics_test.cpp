@@ -261,3 +261,49 @@ TEST(Impulse, RestitutionEnergyAndMomentum)
   EXPECT_LT(worst_momentum, 8 * kEpsilon);
   EXPECT_LT(worst_angular, 16 * kEpsilon);
 }
+
+// The acceleration along n1 of the point at arm 1 under a unit force along n2 at arm 2, from the full
+// inertia tensor; for one and the same point and normal it is the inverse effective mass.
+TEST(MassCoupling, FullInertiaTensor)
+{
+  RandomRods random(49979693);
+  double worst = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    const MassProperties p = mass_properties(1.0, random.uniform(1.001, 100.0), 1.0);
+    const Vec3 axis = random.direction(), n1 = random.direction(), n2 = random.direction();
+    const Vec3 a1 = random.uniform(-5.0, 5.0) * axis, a2 = random.uniform(-5.0, 5.0) * axis;
+    const InverseInertia inverse_inertia = {1.0 / p.mass, 1.0 / p.inertia_transverse};
+    const double got = mass_coupling(inverse_inertia, a1, n1, a2, n2);
+
+    // x^T M y by the identity x^T M y = ((x+y)^T M (x+y) - (x-y)^T M (x-y))/4.
+    const Matrix tensor = inverse(inertia_tensor(axis, p));
+    const Vec3 x = cross(a1, n1), y = cross(a2, n2);
+    const double expected =
+        dot(n1, n2) / p.mass + 0.25 * (contracted(tensor, x + y) - contracted(tensor, x - y));
+    const double size = 1.0 / p.mass + contracted(tensor, x) + contracted(tensor, y);
+    worst = std::max(worst, std::fabs(got - expected) / size);
+    EXPECT_NEAR(mass_coupling(inverse_inertia, a1, n1, a1, n1),
+                inverse_effective_mass(inverse_inertia, a1, n1), 1e-13 * size);
+  }
+  EXPECT_LT(worst, 1e-13);
+}
+
+// Two ends of a rod that share the load by at most the cosine of their normals never feel more mass
+// than the rod has: K11 + cos(n1,n2) K12 >= 1/m.
+TEST(MassCoupling, SharedLoadKeepsTheEffectiveMassBelowTheMass)
+{
+  RandomRods random(67867979);
+  double least = 1e9;
+  for (int k = 0; k < 200000; ++k) {
+    const double aspect_ratio = std::pow(10.0, random.uniform(0.0, 3.0));
+    const MassProperties p = mass_properties(1.0, aspect_ratio + 1e-6, 1.0);
+    const Vec3 axis = random.direction(), n1 = random.direction(), n2 = random.direction();
+    const Vec3 arm = 0.5 * (aspect_ratio + 1e-6 - 1.0) * axis;
+    const double cosine = std::max(0.0, dot(n1, n2));
+    const InverseInertia inverse_inertia = {1.0 / p.mass, 1.0 / p.inertia_transverse};
+    const double sum = inverse_effective_mass(inverse_inertia, arm, n1) +
+                       cosine * mass_coupling(inverse_inertia, arm, n1, -arm, n2);
+    least = std::min(least, sum * p.mass);
+  }
+  EXPECT_GE(least, 1.0 - 1e-12);
+}
