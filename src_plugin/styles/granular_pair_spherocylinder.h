@@ -59,6 +59,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
       rod_error_all(lmp, "Pair gran with surface spherocylinder requires newton off (got newton on)");
     model_.connectToProperties(force->registry);
     side_offset_ = model_.get_history_offset("rod_normal");
+    spring_offset_ = history_offset("shearx");
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(model_);
   }
@@ -98,7 +99,9 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   bool spread_contact_ = true;  // continuous rule for nearly parallel rods
   bool has_tangential_ = false;
   bool has_settings_ = false;  // false for a pair style made by read_restart
-  int side_offset_ = -1;       // of the remembered normal in a pair's history, -1 if none
+  // Where a pair's history keeps the remembered normal and the tangential spring, -1 if it does not.
+  int side_offset_ = -1;
+  int spring_offset_ = -1;
 
   // What a contact needs of a rod's motion.
   struct Motion {
@@ -110,6 +113,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   std::vector<Motion> motions_;
   CloseRodPairs close_pairs_;
 
+  int history_offset(const std::string &name) const;
   void read_rods(int frozen_bit);
   spherocylinder::ClosestPoints nearest(int i, int j) const;
   spherocylinder::RodContact spread(int i, int j, const spherocylinder::ClosestPoints &closest,
@@ -117,6 +121,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   spherocylinder::ClosestPoints set_geometry(SurfacesIntersectData &sidata,
                                              const spherocylinder::ClosestPoints &closest,
                                              bool remember) const;
+  void turn_spring(const SurfacesIntersectData &sidata) const;
   void separate(SurfacesIntersectData &sidata, ForceData &i_forces, ForceData &j_forces);
   void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
               ForceData &j_forces) const;
@@ -200,6 +205,37 @@ spherocylinder::ClosestPoints GranularSpherocylinder<ContactModel>::set_geometry
   store(distance * normal, sidata.delta);
   if (side && sidata.computeflag && sidata.shearupdate) store(normal, side);
   return contact.points;
+}
+
+// Where the models keep a value of this name; the stock ones do not all tell.
+template <typename ContactModel>
+int GranularSpherocylinder<ContactModel>::history_offset(const std::string &name) const
+{
+  struct Access : PairGran {  // names PairGran's protected list of history values
+    static const std::vector<HistoryArg> &values(PairGran &pair) { return pair.*(&Access::history_arg); }
+  };
+  const auto &values = Access::values(*parent_);
+  for (size_t k = 0; k < values.size(); k++)
+    if (values[k].name == name) return static_cast<int>(k);
+  return -1;
+}
+
+// The tangential spring turns with the pair about its normal, by the mean of the two spins; LIGGGHTS
+// turns it with the normal only. By Cayley's formula, which keeps its length:
+// cos = (1 - t^2)/(1 + t^2), sin = 2 t/(1 + t^2), t half the angle.
+// Two spheres keep LIGGGHTS's spring, so that they move as its own do.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::turn_spring(const SurfacesIntersectData &sidata) const
+{
+  using namespace spherocylinder;
+  if (!sidata.contact_history || !sidata.computeflag || !sidata.shearupdate) return;
+  const int i = sidata.i, j = sidata.j;
+  if (rods_[i].segment.half_length == 0.0 && rods_[j].segment.half_length == 0.0) return;
+  double *spring = sidata.contact_history + spring_offset_;
+  const Vec3 normal = load(sidata.en), old = load(spring);
+  const double t = 0.25 * update->dt * dot(motions_[i].omega + motions_[j].omega, normal);
+  const double scale = 1.0 / (1.0 + t * t);
+  store((scale * (1.0 - t * t)) * old + (scale * 2.0 * t) * cross(normal, old), spring);
 }
 
 // A pair that no longer touches forgets its contact.
@@ -311,6 +347,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
     if (inverse_mass == 0.0) continue;  // both frozen: nothing to move
     sidata.meff = 1.0 / inverse_mass;
 
+    if (spring_offset_ >= 0) turn_spring(sidata);
     i_forces.reset();
     j_forces.reset();
     sidata.kn = sidata.kt = 0.0;  // a stock model need not set them

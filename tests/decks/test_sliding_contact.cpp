@@ -432,6 +432,34 @@ TEST(SlidingContactForce, TurnsWithTheNormal)
                error);
 }
 
+// Two crossed rods, so heavy that nothing stops them, turn together at W about the normal of their
+// contact while one is drawn away along x at u. Their contact points part by u t along x, whatever W:
+// the spring must turn with the pair, and the force on the drawn rod stays -kt u t along x.
+TEST_P(SlidingContact, SpringTurnsWithThePair)
+{
+  const double W = 20.0, u = 1e-5, kt = 1e5;
+  Scene scene;
+  Rod lower, upper;
+  lower.density = upper.density = 1e12;
+  lower.omega = upper.omega = {0.0, 0.0, W};
+  upper.axis = {0.0, 1.0, 0.0};
+  upper.position.z = 0.999 * upper.diameter;
+  upper.velocity.x = u;
+  scene.rods = {lower, upper};
+  scene.physics = linear_material(1e5, kt, 1.0, 1e6) +
+                  "pair_style gran model linear tangential history surface spherocylinder "
+                  "tangential_damping off\npair_coeff * *\nfix motion all nve/spherocylinder\n";
+  scene.dt = 1e-5;
+  scene.steps = 15000;  // 3 rad
+  // The heavy rods' velocities are too slow to show the force: its impulse does, to be told by their
+  // momenta, since the mass is known: sum of kt u t is kt u t^2/2.
+  const std::vector<Rod> after = run(scene, GetParam()).back().rods;
+  const double t = scene.dt * static_cast<double>(scene.steps), impulse = 0.5 * kt * u * t * t;
+  const Vec3 got = lower.mass() * (after[0].velocity - lower.velocity);
+  expect_holds({"Spring of a pair that turns about its normal: impulse, relative", "kt u t^2/2", 1e-3},
+               norm(got - Vec3{impulse, 0.0, got.z}) / impulse);
+}
+
 DECKS_IN_ALL_MODES(SlidingContact);
 
 }  // namespace
