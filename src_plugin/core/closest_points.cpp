@@ -37,10 +37,6 @@ ClosestPoints best_end(const Segment &i, const Segment &j)
   return best;
 }
 
-// Rounding of s_scaled, t_scaled and the determinant below: a few epsilon of a few products of unit
-// vectors and |between|.
-constexpr double kRounding = 16.0 * 2.3e-16;
-
 }  // namespace
 
 ClosestPoints closest_points(const Segment &i, const Segment &j)
@@ -71,7 +67,7 @@ ClosestPoints closest_points(const Segment &i, const Segment &j)
   // one could step towards the critical point, inside the rectangle and downhill. Where rounding
   // could have put the critical point on the wrong side, all four ends are asked.
   const double size = std::fabs(between.x) + std::fabs(between.y) + std::fabs(between.z) + hi + hj;
-  const double uncertain = kRounding * size;
+  const double uncertain = kClosestPointsRounding * size;
   if (std::fabs(s_outside) <= uncertain || std::fabs(t_outside) <= uncertain)
     return best_end(i, j);
   if (t_outside < 0.0) return end_of_i(i, std::copysign(hi, s_scaled), j);

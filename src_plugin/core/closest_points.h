@@ -23,6 +23,10 @@ struct ClosestPoints {
 // Of equally near pairs (parallel rods side by side) one at an end is returned.
 ClosestPoints closest_points(const Segment &i, const Segment &j);
 
+// Rounding of the critical point's coordinates times the determinant: a few epsilon of a few products
+// of unit vectors and |between|. Nearer to the rectangle's rim than this, all four ends are asked.
+constexpr double kClosestPointsRounding = 16.0 * 2.3e-16;
+
 // True if the segments are certainly farther apart than `reach`: the distance of the infinite
 // lines, |between . n| / |n| with n = u x v, is a lower bound. Cheap; never true for a pair nearer
 // than `reach`, and hardly ever for (nearly) parallel ones.

@@ -3,23 +3,25 @@
 // two rods' axes. One class per combination of contact models, chosen when the deck is read.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "atom.h"
-#include "close_rod_pairs.h"
 #include "comm.h"
 #include "compute_gran_local_spherocylinder.h"
-#include "core/closest_points.h"
 #include "core/contact_kinematics.h"
 #include "core/spread_contact.h"
 #include "fix_contact_property_atom.h"
 #include "force.h"
 #include "granular_pair_style.h"
+#include "linear_pair_forces.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "rod_contact.h"
 #include "settings.h"
+#include "touching_rod_pairs.h"
 
 namespace LIGGGHTS {
 namespace PairStyles {
@@ -28,11 +30,36 @@ using namespace LAMMPS_NS;
 using ContactModels::ForceData;
 using ContactModels::SurfacesIntersectData;
 
+// Harmonic mean, as of two springs in series.
+inline double mean_aspect_ratio(const spherocylinder::Capsule &i, const spherocylinder::Capsule &j)
+{
+  const double a = i.segment.half_length + i.radius, b = j.segment.half_length + j.radius;
+  return 2.0 * a * b / (a * j.radius + b * i.radius);
+}
+
+// The models that LinearPairForces can stand in for.
+template <typename ContactModel>
+struct BatchedLinear : std::false_type {
+  static constexpr spherocylinder::Tangential kTangential = spherocylinder::Tangential::Off;
+};
+template <int TANGENTIAL>
+struct BatchedLinear<ContactModels::ContactModel<
+    ContactModels::GranStyle<ContactModels::NORMAL_LINEAR, TANGENTIAL, ContactModels::COHESION_OFF,
+                             ContactModels::ROLLING_OFF, ContactModels::SURFACE_SPHEROCYLINDER>>> {
+  static constexpr bool value = TANGENTIAL == ContactModels::TANGENTIAL_OFF ||
+                                TANGENTIAL == ContactModels::TANGENTIAL_NO_HISTORY ||
+                                TANGENTIAL == ContactModels::TANGENTIAL_HISTORY;
+  static constexpr spherocylinder::Tangential kTangential =
+      TANGENTIAL == ContactModels::TANGENTIAL_HISTORY      ? spherocylinder::Tangential::History
+      : TANGENTIAL == ContactModels::TANGENTIAL_NO_HISTORY ? spherocylinder::Tangential::NoHistory
+                                                           : spherocylinder::Tangential::Off;
+};
+
 template <typename ContactModel>
 class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
  public:
   GranularSpherocylinder(LAMMPS *lmp, PairGran *parent, const int64_t hash)
-      : Pointers(lmp), parent_(parent), model_(lmp, parent, false, hash), monitor_(lmp)
+      : Pointers(lmp), parent_(parent), model_(lmp, parent, false, hash), monitor_(lmp), linear_(lmp)
   {
   }
 
@@ -46,6 +73,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     const bool understood = settings.parseArguments(nargs, args);
     model_.postSettings(hsetup);
     if (!understood) error->all(FLERR, settings.error_message.c_str());
+    batched_ = BatchedLinear<ContactModel>::value && linear_.understand(nargs, args);
     has_settings_ = true;
   }
 
@@ -62,6 +90,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     spring_offset_ = history_offset("shearx");
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(model_);
+    if (batched_) linear_.connect(force->registry, BatchedLinear<ContactModel>::kTangential);
   }
 
   void write_restart_settings(FILE *fp) override
@@ -103,6 +132,10 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   int side_offset_ = -1;
   int spring_offset_ = -1;
 
+  LinearPairForces linear_;
+  bool batched_ = false;  // the forces of a usual step are left to linear_
+  spherocylinder::LinearContacts contacts_{};
+
   // What a contact needs of a rod's motion.
   struct Motion {
     spherocylinder::Vec3 velocity, omega;
@@ -112,15 +145,24 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   std::vector<spherocylinder::Capsule> rods_;
   std::vector<Motion> motions_;
   CloseRodPairs close_pairs_;
+  TouchingRodPairs touching_pairs_;
+  using Touch = TouchingRodPairs::Touch;
+
+  // A contact's place, normal (unit, towards rod i), distance of the axes along it, overlap felt.
+  struct Geometry {
+    double s, t;
+    spherocylinder::Vec3 normal;
+    double distance, overlap;
+  };
 
   int history_offset(const std::string &name) const;
   void read_rods(int frozen_bit);
-  spherocylinder::ClosestPoints nearest(int i, int j) const;
-  spherocylinder::RodContact spread(int i, int j, const spherocylinder::ClosestPoints &closest,
-                                    double reach) const;
-  spherocylinder::ClosestPoints set_geometry(SurfacesIntersectData &sidata,
-                                             const spherocylinder::ClosestPoints &closest,
-                                             bool remember) const;
+  spherocylinder::RodContact spread(const Touch &touch, double reach) const;
+  Geometry geometry_of(const Touch &touch, const double *side) const;
+  bool single_contacts_wanted(PairGran &pair) const;
+  void compute_batched(PairGran &pair, int **first_flags, double **first_history);
+  void compute_each(PairGran &pair, int **first_flags, double **first_history,
+                    ComputeGranLocalSpherocylinder *local);
   void turn_spring(const SurfacesIntersectData &sidata) const;
   void separate(SurfacesIntersectData &sidata, ForceData &i_forces, ForceData &j_forces);
   void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
@@ -133,78 +175,53 @@ inline spherocylinder::ClosestPoints swapped(const spherocylinder::ClosestPoints
   return {points.t, points.s, -points.delta, points.distance_squared};
 }
 
-// Both ranks that see a pair across their border must get the same points, to the last bit, and of
-// equally near ones the choice depends on the order: it is that of the rods' ids.
+// In the order of the rods' ids, so that all ranks that see a pair get the same bits.
 template <typename ContactModel>
-spherocylinder::ClosestPoints GranularSpherocylinder<ContactModel>::nearest(int i, int j) const
-{
-  if (atom->tag[i] < atom->tag[j])
-    return spherocylinder::closest_points(rods_[i].segment, rods_[j].segment);
-  return swapped(spherocylinder::closest_points(rods_[j].segment, rods_[i].segment));
-}
-
-template <typename ContactModel>
-spherocylinder::RodContact GranularSpherocylinder<ContactModel>::spread(
-    int i, int j, const spherocylinder::ClosestPoints &closest, double reach) const
+spherocylinder::RodContact GranularSpherocylinder<ContactModel>::spread(const Touch &touch,
+                                                                        double reach) const
 {
   using namespace spherocylinder;
-  if (atom->tag[i] < atom->tag[j])
-    return spread_contact(rods_[i].segment, rods_[j].segment, reach, closest);
-  const RodContact contact =
-      spread_contact(rods_[j].segment, rods_[i].segment, reach, swapped(closest));
+  const Segment &i = rods_[touch.i].segment, &j = rods_[touch.j].segment;
+  if (atom->tag[touch.i] < atom->tag[touch.j]) return spread_contact(i, j, reach, touch.points);
+  const RodContact contact = spread_contact(j, i, reach, swapped(touch.points));
   return {swapped(contact.points), contact.overlap};
 }
 
-// Normal, overlap and distances of a touching pair; returns where on the axes the contact sits.
+// `side`: the normal of the last step, null without a history, zero for a new contact.
 //
 // The normal points along p - q. Where the pair was in contact before, it must not turn round:
 // p - q does so when two axes are driven past each other, and the distance then counts as negative,
 // so that the overlap goes on growing and the rods are pushed back the way they came. Where the
 // axes meet exactly the last normal serves, or without one the common perpendicular.
 template <typename ContactModel>
-spherocylinder::ClosestPoints GranularSpherocylinder<ContactModel>::set_geometry(
-    SurfacesIntersectData &sidata, const spherocylinder::ClosestPoints &closest,
-    bool remember) const
+typename GranularSpherocylinder<ContactModel>::Geometry
+GranularSpherocylinder<ContactModel>::geometry_of(const Touch &touch, const double *side) const
 {
   using namespace spherocylinder;
-  double *side = remember && sidata.contact_history ? sidata.contact_history + side_offset_ : nullptr;
+  const double reach = rods_[touch.i].radius + rods_[touch.j].radius;
   const bool was_touching = side && (side[0] != 0.0 || side[1] != 0.0 || side[2] != 0.0);
-  const bool passed = was_touching && dot(closest.delta, load(side)) < 0.0;
+  const bool passed = was_touching && dot(touch.points.delta, load(side)) < 0.0;
 
-  RodContact contact{closest, 0.0};
-  double distance = std::sqrt(closest.distance_squared);
-  if (spread_contact_ && !passed) {
-    contact = spread(sidata.i, sidata.j, closest, sidata.radsum);
+  RodContact contact{touch.points, passed ? reach + touch.distance : reach - touch.distance};
+  double distance = passed ? -touch.distance : touch.distance;
+  if (spread_contact_ && touch.nearly_parallel && !passed) {
+    contact = spread(touch, reach);
     distance = std::sqrt(contact.points.distance_squared);
-  } else {
-    contact.overlap = passed ? sidata.radsum + distance : sidata.radsum - distance;
   }
 
   Vec3 normal;
-  if (distance > 0.0) {
-    if (passed) distance = -distance;
+  if (distance != 0.0) {
     normal = (1.0 / distance) * contact.points.delta;
   } else if (was_touching) {
     normal = load(side);
   } else {
-    const Vec3 u = rods_[sidata.i].segment.axis;
-    normal = cross(u, rods_[sidata.j].segment.axis);
+    const Vec3 u = rods_[touch.i].segment.axis;
+    normal = cross(u, rods_[touch.j].segment.axis);
     if (norm_squared(normal) == 0.0)
       normal = std::fabs(u.x) < 0.5 ? cross(u, Vec3{1.0, 0.0, 0.0}) : cross(u, Vec3{0.0, 1.0, 0.0});
     normal = (1.0 / norm(normal)) * normal;
   }
-
-  sidata.deltan = contact.overlap;
-  sidata.r = sidata.radsum - contact.overlap;
-  sidata.rsq = sidata.r * sidata.r;
-  sidata.rinv = sidata.r != 0.0 ? 1.0 / sidata.r : 0.0;
-  const double half_overlap = 0.5 * (sidata.radsum - distance);  // the contact is midway
-  sidata.cri = sidata.radi - half_overlap;
-  sidata.crj = sidata.radj - half_overlap;
-  store(normal, sidata.en);
-  store(distance * normal, sidata.delta);
-  if (side && sidata.computeflag && sidata.shearupdate) store(normal, side);
-  return contact.points;
+  return {contact.points.s, contact.points.t, normal, distance, contact.overlap};
 }
 
 // Where the models keep a value of this name; the stock ones do not all tell.
@@ -273,59 +290,175 @@ template <typename ContactModel>
 void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int eflag, int vflag,
                                                          int)
 {
-  using namespace spherocylinder;
-
   if (eflag || vflag)
     pair->ev_setup(eflag, vflag);
   else
     pair->evflag = pair->vflag_fdotr = 0;
 
-  double **f = atom->f, **torque = atom->torque;
-  const int *type = atom->type;
-  const int nlocal = atom->nlocal;
-
   int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
   double **first_history = pair->listgranhistory ? pair->listgranhistory->firstdouble : nullptr;
   read_rods(pair->freeze_group_bit());
   close_pairs_.update(*pair->list, first_flags, rods_, neighbor->ago == 0);
+  touching_pairs_.find(close_pairs_.entries(), rods_, atom->tag, first_flags);
 
-  const int dnum = pair->dnum();
+  auto *local = ComputeGranLocalSpherocylinder::collecting(pair->cpl(), update->ntimestep);
+  if (local) local->begin_rows();
+  if (batched_ && !local && !single_contacts_wanted(*pair))
+    compute_batched(*pair, first_flags, first_history);
+  else
+    compute_each(*pair, first_flags, first_history, local);
+
+  if (pair->storeContactForces()) pair->fix_contact_forces()->do_forward_comm();
+  if (pair->storeContactForcesStress()) pair->fix_contact_forces_stress()->do_forward_comm();
+}
+
+// Whether something in this step asks for more than forces and torques.
+template <typename ContactModel>
+bool GranularSpherocylinder<ContactModel>::single_contacts_wanted(PairGran &pair) const
+{
+  return pair.evflag || !pair.computeflag() || !pair.shearupdate() || monitor_.rates() ||
+         pair.store_sum_normal_force() || pair.storeContactForces() ||
+         pair.storeContactForcesStress();
+}
+
+// model linear in batches.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::compute_batched(PairGran &pair, int **first_flags,
+                                                           double **first_history)
+{
+  using namespace spherocylinder;
+  constexpr Vec3 kZero = {0.0, 0.0, 0.0};
+  const int dnum = pair.dnum(), nlocal = atom->nlocal;
+  const int *type = atom->type;
+  double **f = atom->f, **torque = atom->torque;
+  const bool remember = side_offset_ >= 0 && first_history;
+  const bool has_spring = spring_offset_ >= 0 && first_history;
+  LinearContacts &c = contacts_;
+
+  for (const CloseRodPairs::Entry &entry : touching_pairs_.parted()) {
+    first_flags[entry.i][entry.index] = 0;
+    if (!first_history) continue;
+    double *history = &first_history[entry.i][dnum * entry.index];
+    if (remember) store(kZero, history + side_offset_);
+    if (has_spring) store(kZero, history + spring_offset_);
+  }
+
+  const std::vector<Touch> &touching = touching_pairs_.touching();
+  for (size_t start = 0; start < touching.size(); start += kBatch) {
+    const int count = static_cast<int>(std::min<size_t>(kBatch, touching.size() - start));
+    for (int k = 0; k < count; k++) {
+      const Touch &touch = touching[start + k];
+      const int i = touch.i, j = touch.j;
+      const Capsule &rod_i = rods_[i], &rod_j = rods_[j];
+      const double *history = first_history ? &first_history[i][dnum * touch.index] : nullptr;
+      c.side.set(k, remember ? load(history + side_offset_) : kZero);
+      c.spring.set(k, has_spring ? load(history + spring_offset_) : kZero);
+
+      if (touch.distance == 0.0 || (spread_contact_ && touch.nearly_parallel)) {
+        const Geometry g = geometry_of(touch, remember ? history + side_offset_ : nullptr);
+        c.s[k] = g.s;
+        c.t[k] = g.t;
+        c.normal.set(k, g.normal);
+        c.distance[k] = g.distance;
+        c.overlap[k] = g.overlap;
+        c.side.set(k, kZero);  // minded already
+      } else {
+        c.s[k] = touch.points.s;
+        c.t[k] = touch.points.t;
+        c.normal.set(k, (1.0 / touch.distance) * touch.points.delta);
+        c.distance[k] = touch.distance;
+        c.overlap[k] = rod_i.radius + rod_j.radius - touch.distance;
+      }
+
+      const Motion &motion_i = motions_[i], &motion_j = motions_[j];
+      c.axis_i.set(k, rod_i.segment.axis);
+      c.axis_j.set(k, rod_j.segment.axis);
+      c.velocity_i.set(k, motion_i.velocity);
+      c.velocity_j.set(k, motion_j.velocity);
+      c.omega_i.set(k, motion_i.omega);
+      c.omega_j.set(k, motion_j.omega);
+      c.inverse_mass_i[k] = motion_i.inverse.mass;
+      c.inverse_mass_j[k] = motion_j.inverse.mass;
+      c.inverse_inertia_i[k] = motion_i.inverse.transverse;
+      c.inverse_inertia_j[k] = motion_j.inverse.transverse;
+      c.radius_i[k] = rod_i.radius;
+      c.radius_j[k] = rod_j.radius;
+      c.turning[k] =
+          rod_i.segment.half_length == 0.0 && rod_j.segment.half_length == 0.0 ? 0.0 : 1.0;
+      const double scale = linear_.aspect_scaling() ? mean_aspect_ratio(rod_i, rod_j) : 1.0;
+      linear_.set_material(c, k, type[i], type[j], scale);
+    }
+
+    linear_contacts(c, linear_.law());
+
+    for (int k = 0; k < count; k++) {
+      const Touch &touch = touching[start + k];
+      const int i = touch.i, j = touch.j;
+      if (c.inverse_mass[k] == 0.0) continue;  // both frozen: nothing to move
+      if (first_flags)
+        first_flags[i][touch.index] |= ContactModels::CONTACT_NORMAL_MODEL |
+                                       (has_spring ? ContactModels::CONTACT_TANGENTIAL_MODEL : 0);
+      if (first_history) {
+        double *history = &first_history[i][dnum * touch.index];
+        if (remember) store(c.side.get(k), history + side_offset_);
+        if (has_spring) store(c.spring.get(k), history + spring_offset_);
+      }
+      monitor_.look(i, j, c.stiffness[k], 1.0 / c.inverse_mass[k], c.overlap[k],
+                    c.radius_i[k] + c.radius_j[k]);
+      const Vec3 force = c.force.get(k);
+      const double relax_i = pair.relax(i);
+      add_to(f[i], relax_i * force);
+      add_to(torque[i], relax_i * c.torque_i.get(k));
+      if (j >= nlocal) continue;
+      const double relax_j = pair.relax(j);
+      add_to(f[j], -relax_j * force);
+      add_to(torque[j], relax_j * c.torque_j.get(k));
+    }
+  }
+}
+
+// Any models, one contact after the other.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **first_flags,
+                                                        double **first_history,
+                                                        ComputeGranLocalSpherocylinder *local)
+{
+  using namespace spherocylinder;
+  double **f = atom->f, **torque = atom->torque;
+  const int *type = atom->type;
+  const int nlocal = atom->nlocal, dnum = pair.dnum();
   const double dt = update->dt;
-  const bool remember = side_offset_ >= 0;
+  const bool remember = side_offset_ >= 0 && first_history;
 
   SurfacesIntersectData sidata;
   ForceData i_forces, j_forces;
   double velocity_i[3], velocity_j[3];
   sidata.is_wall = false;
   sidata.area_ratio = 1.0;
-  sidata.computeflag = pair->computeflag();
-  sidata.shearupdate = pair->shearupdate();
+  sidata.computeflag = pair.computeflag();
+  sidata.shearupdate = pair.shearupdate();
   sidata.v_i = velocity_i;
   sidata.v_j = velocity_j;
   model_.beginPass(sidata, i_forces, j_forces);
   ContactRates *rates = monitor_.rates();
-  auto *local = ComputeGranLocalSpherocylinder::collecting(pair->cpl(), update->ntimestep);
-  if (local) local->begin_rows();
 
-  for (const CloseRodPairs::Entry &entry : close_pairs_.entries()) {
-    const int i = entry.i, j = entry.j;
+  for (const CloseRodPairs::Entry &entry : touching_pairs_.parted()) {
+    sidata.i = entry.i;
+    sidata.j = entry.j;
+    sidata.contact_flags = &first_flags[entry.i][entry.index];
+    sidata.contact_history =
+        first_history ? &first_history[entry.i][dnum * entry.index] : nullptr;
+    separate(sidata, i_forces, j_forces);
+  }
+
+  for (const Touch &touch : touching_pairs_.touching()) {
+    const int i = touch.i, j = touch.j;
     const Capsule &rod_i = rods_[i], &rod_j = rods_[j];
-    sidata.contact_flags = first_flags ? &first_flags[i][entry.index] : nullptr;
-    sidata.contact_history = first_history ? &first_history[i][dnum * entry.index] : nullptr;
+    const double reach = rod_i.radius + rod_j.radius;
+    sidata.contact_flags = first_flags ? &first_flags[i][touch.index] : nullptr;
+    sidata.contact_history = first_history ? &first_history[i][dnum * touch.index] : nullptr;
     sidata.i = i;
     sidata.j = j;
-
-    const double reach = rod_i.radius + rod_j.radius;
-    if (lines_are_apart(rod_i.segment, rod_j.segment, reach)) {
-      separate(sidata, i_forces, j_forces);
-      continue;
-    }
-    const ClosestPoints closest = nearest(i, j);
-    if (closest.distance_squared >= reach * reach) {
-      separate(sidata, i_forces, j_forces);
-      continue;
-    }
-
     sidata.radi = rod_i.radius;
     sidata.radj = rod_j.radius;
     sidata.radsum = reach;
@@ -335,11 +468,23 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
     sidata.mj = atom->rmass[j];
     sidata.omega_i = atom->omega[i];
     sidata.omega_j = atom->omega[j];
-    const ClosestPoints contact = set_geometry(sidata, closest, remember);
+
+    double *side = remember ? sidata.contact_history + side_offset_ : nullptr;
+    const Geometry contact = geometry_of(touch, side);
+    sidata.deltan = contact.overlap;
+    sidata.r = reach - contact.overlap;
+    sidata.rsq = sidata.r * sidata.r;
+    sidata.rinv = sidata.r != 0.0 ? 1.0 / sidata.r : 0.0;
+    const double half_overlap = 0.5 * (reach - contact.distance);  // the contact is midway
+    sidata.cri = rod_i.radius - half_overlap;
+    sidata.crj = rod_j.radius - half_overlap;
+    store(contact.normal, sidata.en);
+    store(contact.distance * contact.normal, sidata.delta);
+    if (side && sidata.computeflag && sidata.shearupdate) store(contact.normal, side);
 
     const Motion &motion_i = motions_[i], &motion_j = motions_[j];
     const Vec3 arm_i = contact.s * rod_i.segment.axis, arm_j = contact.t * rod_j.segment.axis;
-    const Vec3 normal = load(sidata.en);
+    const Vec3 normal = contact.normal;
     store(velocity_half_a_step_ago(motion_i.velocity, motion_i.omega, arm_i, dt), velocity_i);
     store(velocity_half_a_step_ago(motion_j.velocity, motion_j.omega, arm_j, dt), velocity_j);
     const double inverse_mass = inverse_effective_mass(motion_i.inverse, arm_i, normal) +
@@ -354,7 +499,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
     model_.surfacesIntersect(sidata, i_forces, j_forces);
     model_.endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;
-    monitor_.look(sidata, reach);
+    monitor_.look(i, j, sidata.kn, sidata.meff, sidata.deltan, reach);
     if (rates) {
       const double kt = has_tangential_ ? sidata.kt : 0.0;
       rates->add(i, 2.0, sidata.kn, kt, motion_i.inverse, 1.0 / atom->inertia[i][2],
@@ -366,18 +511,16 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
     add_to(i_forces.delta_torque, cross(arm_i, load(i_forces.delta_F)));
     add_to(j_forces.delta_torque, cross(arm_j, load(j_forces.delta_F)));
     if (sidata.computeflag) {
-      add_contact_load(f[i], torque[i], pair->relax(i), i_forces);
-      if (j < nlocal) add_contact_load(f[j], torque[j], pair->relax(j), j_forces);
+      add_contact_load(f[i], torque[i], pair.relax(i), i_forces);
+      if (j < nlocal) add_contact_load(f[j], torque[j], pair.relax(j), j_forces);
     }
-    report(*pair, sidata, i_forces, j_forces);
+    report(pair, sidata, i_forces, j_forces);
     if (local)
       local->add_pair_contact(sidata, i_forces,
                               rod_i.segment.centre + arm_i - sidata.cri * normal);
   }
 
   model_.endPass(sidata, i_forces, j_forces);
-  if (pair->storeContactForces()) pair->fix_contact_forces()->do_forward_comm();
-  if (pair->storeContactForcesStress()) pair->fix_contact_forces_stress()->do_forward_comm();
 }
 
 // Hands the contact to whatever stock command has asked for it.

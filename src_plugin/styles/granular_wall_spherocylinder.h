@@ -276,7 +276,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     models_[k].surfacesIntersect(sidata, i_forces, j_forces);
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = touching = true;
-    monitor_.look(sidata, 2.0 * radius);
+    monitor_.look(i, -1, sidata.kn, sidata.meff, sidata.deltan, 2.0 * radius);
     if (ContactRates *rates = monitor_.rates())
       rates->add(i, 1.0, sidata.kn, has_tangential_ ? sidata.kt : 0.0, inverse,
                  1.0 / atom->inertia[i][2], axis, arm, sidata.cri, contact.normal);

@@ -39,14 +39,13 @@ class ContactMonitor : protected Pointers {
     threshold_ = dt * dt / (4.0 * kWarnedFraction * kWarnedFraction);
   }
 
-  // After the contact models: sidata holds stiffness, effective mass and overlap.
-  // `diameter`: of the rod, or the mean of two rods (m).
-  void look(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata, double diameter)
+  // Once a contact and step. `j` < 0: a wall. `diameter`: of the rod, or the mean of two rods (m).
+  void look(int i, int j, double stiffness, double effective_mass, double overlap, double diameter)
   {
-    if (sidata.kn * threshold_ > sidata.meff) warn(sidata);
-    if (sidata.deltan > rods_->largest_overlap * diameter) {
-      rods_->largest_overlap = sidata.deltan / diameter;
-      if (rods_->largest_overlap > kWarnedOverlap && !overlap_warned_) warn_overlap(sidata);
+    if (stiffness * threshold_ > effective_mass) warn(i, stiffness, effective_mass);
+    if (overlap > rods_->largest_overlap * diameter) {
+      rods_->largest_overlap = overlap / diameter;
+      if (rods_->largest_overlap > kWarnedOverlap && !overlap_warned_) warn_overlap(i, j);
     }
   }
 
@@ -61,28 +60,28 @@ class ContactMonitor : protected Pointers {
   bool overlap_warned_ = false;
   double threshold_ = 0.0;  // s^2, so that stiffness * threshold_ > m_eff means too long a step
 
-  void warn_overlap(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata)
+  void warn_overlap(int i, int j)
   {
     overlap_warned_ = true;
     char partner[40] = "a wall";
-    if (!sidata.is_wall) snprintf(partner, sizeof(partner), "rod %d", atom->tag[sidata.j]);
+    if (j >= 0) snprintf(partner, sizeof(partner), "rod %d", atom->tag[j]);
     rod_warning(lmp,
                 "Rod contacts: rod %d and %s overlap by %g of the diameter at step " BIGINT_FORMAT
                 ", more than %g; use a stiffer contact or slower rods",
-                atom->tag[sidata.i], partner, rods_->largest_overlap, update->ntimestep,
+                atom->tag[i], partner, rods_->largest_overlap, update->ntimestep,
                 kWarnedOverlap);
   }
 
-  void warn(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata)
+  void warn(int i, double stiffness, double effective_mass)
   {
     threshold_ = 0.0;
-    const double limit = 2.0 * std::sqrt(sidata.meff / sidata.kn);
+    const double limit = 2.0 * std::sqrt(effective_mass / stiffness);
     rod_warning(lmp,
                 "Rod contacts: time step %g is far over the recommended %g (%g of the stability "
                 "limit %g of the contact of rod %d at step " BIGINT_FORMAT
                 "); use a shorter step or a softer contact",
                 update->dt, kRecommendedFraction * limit, kRecommendedFraction, limit,
-                atom->tag[sidata.i], update->ntimestep);
+                atom->tag[i], update->ntimestep);
   }
 };
 

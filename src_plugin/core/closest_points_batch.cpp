@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "closest_points_batch.h"
+
+#include <cmath>
+
+namespace spherocylinder {
+
+namespace {
+
+SPHEROCYLINDER_INLINE double clamp(double value, double bound)
+{
+  const double below = value < bound ? value : bound;
+  return below > -bound ? below : -bound;
+}
+
+SPHEROCYLINDER_INLINE double smaller(double a, double b) { return a < b ? a : b; }
+SPHEROCYLINDER_INLINE double larger(double a, double b) { return a > b ? a : b; }
+
+// Half the length of a segment beside another one (negative if there is none).
+SPHEROCYLINDER_INLINE double half_beside(double middle, double half, double other_half)
+{
+  return 0.5 * (smaller(half, middle + other_half) - larger(-half, middle - other_half));
+}
+
+}  // namespace
+
+SPHEROCYLINDER_VECTOR void closest_points(SegmentPairs &pairs)
+{
+  for (int k = 0; k < kBatch; k++) {
+    const Vec3 between = pairs.between.get(k);
+    const Vec3 u = pairs.axis_i.get(k), v = pairs.axis_j.get(k);
+    const double hi = pairs.half_i[k], hj = pairs.half_j[k], reach = pairs.reach[k];
+
+    const Vec3 normal = cross(u, v);
+    const double determinant = norm_squared(normal);
+    const double s_scaled = dot(cross(between, v), normal);
+    const double t_scaled = dot(cross(between, u), normal);
+    const double s_outside = std::fabs(s_scaled) - hi * determinant;
+    const double t_outside = std::fabs(t_scaled) - hj * determinant;
+    const double size =
+        std::fabs(between.x) + std::fabs(between.y) + std::fabs(between.z) + hi + hj;
+    const double margin = kClosestPointsRounding * size;
+
+    const double inside = s_scaled / determinant;
+    const double at_end = std::copysign(hi, s_scaled);
+    const double start = s_outside < 0.0 ? inside : at_end;
+    const double t = clamp(dot(start * u - between, v), hj);
+    const double s = clamp(dot(t * v + between, u), hi);
+    const Vec3 delta = s * u - t * v - between;
+    const double distance_squared = norm_squared(delta);
+
+    pairs.s[k] = s;
+    pairs.t[k] = t;
+    pairs.delta.set(k, delta);
+    pairs.distance_squared[k] = distance_squared;
+    const double nearest = smaller(std::fabs(s_outside), std::fabs(t_outside));
+    pairs.uncertain[k] = nearest <= margin ? 1.0 : 0.0;
+
+    // q^2 < 1 of spread_contact, without the term that makes q larger for deep overlaps.
+    const double cosine = std::fabs(dot(u, v));
+    const double on_i = half_beside(dot(between, u), hi, hj * cosine);
+    const double on_j = half_beside(-dot(between, v), hj, hi * cosine);
+    const double overlap = reach - std::sqrt(distance_squared);
+    const double shared = larger(on_i, 0.0) * larger(on_j, 0.0);
+    const double limit = 2.0 * reach * overlap;
+    const double below = shared * determinant < limit ? 1.0 : 0.0;
+    pairs.nearly_parallel[k] = shared > 0.0 ? below : 0.0;
+  }
+}
+
+}  // namespace spherocylinder

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// closest_points for a batch of pairs.
+#pragma once
+
+#include "batch.h"
+#include "closest_points.h"
+
+namespace spherocylinder {
+
+struct SegmentPairs {
+  // In: of each pair.
+  Vec3s between;             // centre of j less that of i
+  Vec3s axis_i, axis_j;      // unit
+  Doubles half_i, half_j;    // lengths of the segments
+  Doubles reach;             // sum of the radii
+
+  // Out: as in ClosestPoints.
+  Doubles s, t;
+  Vec3s delta;
+  Doubles distance_squared;
+  // Not 0 where rounding could have misled the batch: closest_points must be asked.
+  Doubles uncertain;
+  // Not 0 where spread_contact might move the contact (it decides); always 0 for reach 0.
+  Doubles nearly_parallel;
+
+  void set(int k, const Segment &i, const Segment &j, double reach_of_pair)
+  {
+    between.set(k, j.centre - i.centre);
+    axis_i.set(k, i.axis);
+    axis_j.set(k, j.axis);
+    half_i[k] = i.half_length;
+    half_j[k] = j.half_length;
+    reach[k] = reach_of_pair;
+  }
+  ClosestPoints get(int k) const { return {s[k], t[k], delta.get(k), distance_squared[k]}; }
+};
+
+// Works out all kBatch pairs; those not set since the last call are of no meaning.
+//
+// The critical point of the lines, clamped to segment i; its projection, clamped, on j; and that of
+// the latter on i. For a convex quadratic over a rectangle this ends at the minimum: where the first
+// clamp was against the gradient it stays, and a clamp on j is followed by the best s on that side.
+void closest_points(SegmentPairs &pairs);
+
+}  // namespace spherocylinder

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "linear_contact.h"
+
+#include <cmath>
+
+namespace spherocylinder {
+
+namespace {
+
+// Velocity of a point at `arm` half a step ago, as velocity and omega are (contact_kinematics.h).
+SPHEROCYLINDER_INLINE Vec3 velocity_at_point(const Vec3 &velocity, const Vec3 &omega,
+                                             const Vec3 &arm, double half_step)
+{
+  return velocity + cross(omega, arm - half_step * cross(omega, arm));
+}
+
+template <Tangential tangential, bool tangential_damping, bool limit_force>
+SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
+{
+  for (int k = 0; k < kBatch; k++) {
+    // Rods whose axes have passed each other keep their side: the distance is negative.
+    const double reach = c.radius_i[k] + c.radius_j[k];
+    const bool passed = dot(c.normal.get(k), c.side.get(k)) < 0.0;
+    const double distance = passed ? -c.distance[k] : c.distance[k];
+    const double overlap = passed ? reach - distance : c.overlap[k];
+    const Vec3 n = (passed ? -1.0 : 1.0) * c.normal.get(k);
+    const double half_overlap = 0.5 * (reach - distance);  // the contact is midway
+    const double from_i = c.radius_i[k] - half_overlap, from_j = c.radius_j[k] - half_overlap;
+
+    const Vec3 arm_i = c.s[k] * c.axis_i.get(k), arm_j = c.t[k] * c.axis_j.get(k);
+    const Vec3 omega_i = c.omega_i.get(k), omega_j = c.omega_j.get(k);
+    const Vec3 between = velocity_at_point(c.velocity_i.get(k), omega_i, arm_i, 0.5 * dt) -
+                         velocity_at_point(c.velocity_j.get(k), omega_j, arm_j, 0.5 * dt);
+    const double vn = dot(between, n);
+
+    const double inverse_mass =
+        c.inverse_mass_i[k] + c.inverse_inertia_i[k] * norm_squared(cross(arm_i, n)) +
+        c.inverse_mass_j[k] + c.inverse_inertia_j[k] * norm_squared(cross(arm_j, n));
+    const double kn = c.stiffness[k], kt = c.tangential_stiffness[k];
+    const double root = c.two_beta[k] / std::sqrt(inverse_mass);
+    double Fn = kn * overlap - root * std::sqrt(kn) * vn;
+    if (limit_force) Fn = Fn < 0.0 ? 0.0 : Fn;
+
+    Vec3 Ft = {0.0, 0.0, 0.0};
+    if (tangential != Tangential::Off) {
+      const Vec3 spin = from_i * omega_i + from_j * omega_j;
+      const Vec3 slip = between - vn * n + cross(n, spin);
+      const double damping = tangential_damping ? root * std::sqrt(kt) : 0.0;
+      const double most = c.friction[k] * std::fabs(Fn);
+      if (tangential == Tangential::NoHistory) {
+        // The dashpot alone, up to the limit of friction.
+        const double dragging = damping * norm(slip);
+        const double factor = dragging > most ? damping * (most / dragging) : damping;
+        Ft = -factor * slip;
+      } else {
+        // Cayley: the spring turns by the mean spin about the normal and keeps its length.
+        const Vec3 old = c.spring.get(k);
+        const double h = 0.25 * dt * c.turning[k] * dot(omega_i + omega_j, n);
+        const double scale = 1.0 / (1.0 + h * h);
+        Vec3 spring = (scale * (1.0 - h * h)) * old + (scale * 2.0 * h) * cross(n, old) + dt * slip;
+        spring = spring - dot(spring, n) * n;
+        const double pull = kt * norm(spring);
+        const bool slides = pull > most;
+        const double shrink = slides ? most / pull : 1.0;
+        spring = shrink * spring;
+        const double holding = slides ? 0.0 : damping;
+        Ft = -kt * spring - holding * slip;
+        c.spring.set(k, spring);
+      }
+    }
+
+    const Vec3 force = Fn * n + Ft;
+    const Vec3 twist = cross(n, Ft);
+    c.force.set(k, force);
+    c.torque_i.set(k, cross(arm_i, force) - from_i * twist);
+    c.torque_j.set(k, -cross(arm_j, force) - from_j * twist);
+    c.inverse_mass[k] = inverse_mass;
+    c.overlap[k] = overlap;
+    c.side.set(k, n);
+  }
+}
+
+// Every way a deck can ask for, each a function of its own: nothing is decided per contact.
+template <Tangential tangential>
+SPHEROCYLINDER_INLINE void with_options(LinearContacts &c, const LinearLaw &law)
+{
+  if (law.tangential_damping) {
+    if (law.limit_force)
+      all_contacts<tangential, true, true>(c, law.dt);
+    else
+      all_contacts<tangential, true, false>(c, law.dt);
+  } else {
+    if (law.limit_force)
+      all_contacts<tangential, false, true>(c, law.dt);
+    else
+      all_contacts<tangential, false, false>(c, law.dt);
+  }
+}
+
+}  // namespace
+
+SPHEROCYLINDER_VECTOR void linear_contacts(LinearContacts &contacts, const LinearLaw &law)
+{
+  switch (law.tangential) {
+    case Tangential::Off: with_options<Tangential::Off>(contacts, law); break;
+    case Tangential::NoHistory: with_options<Tangential::NoHistory>(contacts, law); break;
+    case Tangential::History: with_options<Tangential::History>(contacts, law); break;
+  }
+}
+
+}  // namespace spherocylinder
