@@ -37,10 +37,10 @@ std::string pair_line(const std::string &models, bool spread)
 
 const char *const kWeight = "fix weight all gravity 9.81 vector 0 0 -1\n";
 
-// Two rods, one above the other, meet side by side at 0.1 m/s, tilted by up to 10^-2 rad (uniform
+// Two rods, one above the other, meet side by side at `speed`, tilted by up to 10^(tilts - 6) (uniform
 // in the logarithm) and shifted along each other: 400 meetings at once. No friction, no damping:
 // the relative error of the kinetic energy after they have parted.
-void elastic_meetings(bool spread, double tilts)
+void elastic_meetings(bool spread, double tilts, double speed)
 {
   const double contact_time = 3.14159265358979 * std::sqrt(0.02 / 8.0 / kStiffness);
   for (const int steps_a_contact : {25, 50, 100, 200, 400}) {
@@ -55,9 +55,9 @@ void elastic_meetings(bool spread, double tilts)
       const double turn = std::pow(10.0, -6.0 + 5.0 * unit(random));
       upper.axis = normalized({1.0, turn, tilt});
       upper.position = lower.position +
-                       Vec3{0.06 * (unit(random) - 0.5), 0.0, upper.diameter + 0.045 * tilt + 1e-5};
-      lower.velocity.z = 0.05;
-      upper.velocity.z = -0.05;
+                       Vec3{0.06 * (unit(random) - 0.5), 0.0, upper.diameter + 0.045 * tilt + 1e-4 * speed};
+      lower.velocity.z = 0.5 * speed;
+      upper.velocity.z = -0.5 * speed;
       scene.rods.push_back(lower);
       scene.rods.push_back(upper);
     }
@@ -78,7 +78,8 @@ void elastic_meetings(bool spread, double tilts)
       squares += error * error;
       worst = std::max(worst, std::fabs(error));
     }
-    const std::string name = fmt::format("elastic meetings; tilt to 1e{}; {} steps a contact", tilts - 6.0, steps_a_contact);
+    const std::string name = fmt::format("elastic meetings at {} m/s; tilt to 1e{}; {} steps a contact", speed, tilts - 6.0,
+                                         steps_a_contact);
     put(spread, name, "pairs that have parted", parted);
     put(spread, name, "mean relative energy error", sum / parted);
     put(spread, name, "rms relative energy error", std::sqrt(squares / parted));
@@ -278,8 +279,8 @@ TEST(SweepParallel, BothRules)
 {
   for (const bool spread : {false, true}) {
     torque_jump(spread);
-    elastic_meetings(spread, 4.0);
-    elastic_meetings(spread, 5.0);
+    elastic_meetings(spread, 4.0, 0.1);
+    for (const double speed : {0.1, 1.0, 10.0}) elastic_meetings(spread, 5.0, speed);
     stack_at_rest(spread);
     rod_on_two(spread, 0.0);
     rod_on_two(spread, 0.03);

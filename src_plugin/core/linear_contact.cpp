@@ -37,7 +37,7 @@ SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
         c.inverse_mass_i[k] + c.inverse_inertia_i[k] * norm_squared(cross(arm_i, n)) +
         c.inverse_mass_j[k] + c.inverse_inertia_j[k] * norm_squared(cross(arm_j, n));
     const double kn = c.stiffness[k], kt = c.tangential_stiffness[k];
-    const double root = c.two_beta[k] / std::sqrt(inverse_mass);
+    const double root = c.two_beta[k] * std::sqrt(c.share[k] / inverse_mass);
     double Fn = kn * overlap - root * std::sqrt(kn) * vn;
     if (limit_force) Fn = Fn < 0.0 ? 0.0 : Fn;
 

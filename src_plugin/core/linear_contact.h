@@ -31,7 +31,8 @@ struct LinearContacts {
   Doubles distance;                 // of p and q along it
   Doubles overlap;                  // that it feels
   Doubles stiffness, tangential_stiffness;
-  Doubles two_beta;                 // damping 2 beta sqrt(k m_eff)
+  Doubles share;                    // of the stiffness that it is worth, see RodContact
+  Doubles two_beta;                 // damping 2 beta sqrt(k share m_eff)
   Doubles friction;
   Doubles turning;                  // 1 if the spring turns with the pair about its normal, else 0
   // History, in and out: the normal of the last step (zero for a new contact), the spring (m).

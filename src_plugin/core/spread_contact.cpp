@@ -7,10 +7,16 @@ namespace spherocylinder {
 
 namespace {
 
-// Overlap, over the sum of the radii, above which only rods more nearly parallel are spread over:
-// contacts of hard rods are well below, and crossed rods driven deep into each other keep their
-// closest point, whose force has an energy.
+// Overlap, over the sum of the radii, above which the rule fades, and crossed rods are left to their
+// closest point, whose force has an energy: contacts of hard rods are well below.
 constexpr double kDeep = 0.1;
+
+// 1 up to kDeep, 0 where the axes meet, smooth between.
+double shallowness(double depth)
+{
+  const double x = std::min(1.0, std::max(0.0, (1.0 - depth) / (1.0 - kDeep)));
+  return x * x * (3.0 - 2.0 * x);
+}
 
 // The part of a segment that lies beside another one, as positions on its axis.
 struct Range {
@@ -57,11 +63,13 @@ RodContact spread_contact(const Segment &i, const Segment &j, double reach,
     return {closest, overlap};
 
   const double squared_sine = norm_squared(cross(i.axis, j.axis));
-  const double depth = overlap / (kDeep * reach);
-  const double squared_ratio = on_i.half() * on_j.half() * squared_sine *
-                               (1.0 + depth * depth) / (2.0 * reach * overlap);
+  const double depth = overlap / reach, deep = depth / kDeep;
+  const double squared_ratio = on_i.half() * on_j.half() * squared_sine * (1.0 + deep * deep) /
+                               (2.0 * reach * overlap);
   if (squared_ratio >= 1.0) return {closest, overlap};
-  const double share = (1.0 - squared_ratio) * (1.0 - squared_ratio);
+  const double opening =
+      std::min(on_i.half(), on_j.half()) / std::max(on_i.half(), on_j.half());
+  const double share = (1.0 - squared_ratio) * (1.0 - squared_ratio) * opening * shallowness(depth);
 
   Resultant sum;
   sum.add((1.0 - share) * overlap, closest.s, closest.t);
@@ -79,7 +87,7 @@ RodContact spread_contact(const Segment &i, const Segment &j, double reach,
   const Vec3 delta = (i.centre - j.centre) + s * i.axis - t * j.axis;
   const double distance_squared = norm_squared(delta);
   if (distance_squared == 0.0) return {closest, overlap};
-  return {{s, t, delta, distance_squared}, sum.overlap};
+  return {{s, t, delta, distance_squared}, sum.overlap, sum.overlap / overlap};
 }
 
 }  // namespace spherocylinder

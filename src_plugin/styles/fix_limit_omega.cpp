@@ -2,6 +2,7 @@
 #include "fix_limit_omega.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -16,12 +17,19 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 namespace sc = spherocylinder;
 
+namespace {
+
+// A rod held at the limit is beyond it by rounding half of the time: that is no action.
+constexpr double kRounding = 1e-12;
+
+}  // namespace
+
 FixLimitOmega::FixLimitOmega(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   rods_of(lmp, "Fix limit/omega");
   if (narg < 4) rod_error_all(lmp, "Fix limit/omega (id %s): expected a limit in rad/s", id);
   limit_ = force->numeric(FLERR, arg[3]);
-  if (!(limit_ > 0.0))
+  if (!(limit_ > 0.0) || std::isinf(limit_))
     rod_error_all(lmp, "Fix limit/omega (id %s): omega must be > 0 (got %s)", id, arg[3]);
 
   for (int i = 4; i < narg; i += 2) {
@@ -47,6 +55,7 @@ FixLimitOmega::FixLimitOmega(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   global_freq = 1;
   extvector = 0;  // sums over the run, not to be divided by the number of rods
 
+  create_attribute = 1;  // inserted rods begin at 0
   peratom_flag = 1;
   size_peratom_cols = kPerRod;
   peratom_freq = 1;
@@ -83,7 +92,7 @@ void FixLimitOmega::limit_rod(int i)
                                 : component_ == Component::Axial ? axial
                                                                  : omega - axial;
   const double magnitude = sc::norm(limited_part);
-  if (magnitude <= limit_) return;
+  if (magnitude <= limit_ * (1.0 + kRounding)) return;
 
   const sc::Vec3 new_omega = omega - (1.0 - limit_ / magnitude) * limited_part;
   const double inertia_transverse = atom->inertia[i][0], inertia_axial = atom->inertia[i][2];

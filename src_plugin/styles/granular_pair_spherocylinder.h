@@ -153,6 +153,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     double s, t;
     spherocylinder::Vec3 normal;
     double distance, overlap;
+    double share;  // of the stiffness, see RodContact
   };
 
   int history_offset(const std::string &name) const;
@@ -184,7 +185,7 @@ spherocylinder::RodContact GranularSpherocylinder<ContactModel>::spread(const To
   const Segment &i = rods_[touch.i].segment, &j = rods_[touch.j].segment;
   if (atom->tag[touch.i] < atom->tag[touch.j]) return spread_contact(i, j, reach, touch.points);
   const RodContact contact = spread_contact(j, i, reach, swapped(touch.points));
-  return {swapped(contact.points), contact.overlap};
+  return {swapped(contact.points), contact.overlap, contact.share};
 }
 
 // `side`: the normal of the last step, null without a history, zero for a new contact.
@@ -221,7 +222,7 @@ GranularSpherocylinder<ContactModel>::geometry_of(const Touch &touch, const doub
       normal = std::fabs(u.x) < 0.5 ? cross(u, Vec3{1.0, 0.0, 0.0}) : cross(u, Vec3{0.0, 1.0, 0.0});
     normal = (1.0 / norm(normal)) * normal;
   }
-  return {contact.points.s, contact.points.t, normal, distance, contact.overlap};
+  return {contact.points.s, contact.points.t, normal, distance, contact.overlap, contact.share};
 }
 
 // Where the models keep a value of this name; the stock ones do not all tell.
@@ -361,6 +362,7 @@ void GranularSpherocylinder<ContactModel>::compute_batched(PairGran &pair, int *
         c.normal.set(k, g.normal);
         c.distance[k] = g.distance;
         c.overlap[k] = g.overlap;
+        c.share[k] = g.share;
         c.side.set(k, kZero);  // minded already
       } else {
         c.s[k] = touch.points.s;
@@ -368,6 +370,7 @@ void GranularSpherocylinder<ContactModel>::compute_batched(PairGran &pair, int *
         c.normal.set(k, (1.0 / touch.distance) * touch.points.delta);
         c.distance[k] = touch.distance;
         c.overlap[k] = rod_i.radius + rod_j.radius - touch.distance;
+        c.share[k] = 1.0;
       }
 
       const Motion &motion_i = motions_[i], &motion_j = motions_[j];
@@ -490,7 +493,7 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     const double inverse_mass = inverse_effective_mass(motion_i.inverse, arm_i, normal) +
                                 inverse_effective_mass(motion_j.inverse, arm_j, normal);
     if (inverse_mass == 0.0) continue;  // both frozen: nothing to move
-    sidata.meff = 1.0 / inverse_mass;
+    sidata.meff = contact.share / inverse_mass;
 
     if (spring_offset_ >= 0) turn_spring(sidata);
     i_forces.reset();

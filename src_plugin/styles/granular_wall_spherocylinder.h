@@ -17,9 +17,9 @@
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "granular_wall.h"
-#include "primitive_wall.h"
 #include "rod_contact.h"
 #include "settings.h"
+#include "wall_surface.h"
 
 namespace LIGGGHTS {
 namespace Walls {
@@ -49,6 +49,8 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
     for (ContactModel &model : models_) {
       Settings settings(lmp);
       model.registerSettings(settings);
+      bool spread_contact = true;  // so that a wall can be given the pair style's keywords
+      settings.registerOnOff("spread_contact", spread_contact, true);
       const bool understood = settings.parseArguments(nargs, args);
       model.postSettings(hsetup);
       if (!understood) error->fix_error(FLERR, parent_, settings.error_message.c_str());
@@ -60,6 +62,7 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
     AtomVecSpherocylinder &rods = rods_of(lmp, "Fix wall/gran with surface spherocylinder");
     for (ContactModel &model : models_) model.connectToProperties(force->registry);
     monitor_.reset(rods);
+    surface_known_ = false;
     has_tangential_ = has_tangential_model(models_[0]);
   }
 
@@ -80,98 +83,53 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
   ContactMonitor monitor_;
   bool has_tangential_ = false;
 
-  // The wall as the rod's centre sees it.
-  struct Surface {
-    bool is_cylinder;
-    double distance;              // of the rod's centre from a plane, or the cylinder's radius (m)
-    spherocylinder::Vec3 normal;  // of a plane, towards the rod's centre
-  };
-  // An end sphere against it.
+  WallSurface surface_{};
+  bool surface_known_ = false;
+
+  // An end sphere against the wall.
   struct EndContact {
     double distance;              // of the end from the surface, negative once it is through (m)
     spherocylinder::Vec3 normal;  // unit, from the wall to the rod's side of it
     spherocylinder::Vec3 radial;  // cylinders: from the cylinder's axis to the end (m)
   };
 
-  static spherocylinder::Vec3 radial_at(PrimitiveWall &wall, const spherocylinder::Vec3 &point);
-  bool find_surface(PrimitiveWall &wall, int i, const spherocylinder::Vec3 &arm,
-                    Surface &surface) const;
-  EndContact end_contact(PrimitiveWall &wall, const Surface &surface,
-                         const spherocylinder::Vec3 &centre,
-                         const spherocylinder::Vec3 &arm) const;
+  bool find_ends(int i, const spherocylinder::Vec3 &centre, const spherocylinder::Vec3 *arms,
+                 int ends, EndContact *contacts) const;
   static double shared_load(const EndContact &one, const EndContact &other, double radius);
-  spherocylinder::Vec3 wall_velocity(const Surface &surface, const EndContact &contact,
-                                     const double *vwall) const;
+  spherocylinder::Vec3 wall_velocity(const EndContact &contact, const double *vwall) const;
   void report(FixWallGran &wall, const SurfacesIntersectData &sidata, const ForceData &total,
               double normal_force) const;
 };
 
-// From the axis of a cylinder to a point (m).
+// False if no side of the wall can be told to be the rod's: its centre lies in the plane. An end that
+// is through the wall while the rod's centre is not is pushed to the rod's side.
 template <typename ContactModel>
-spherocylinder::Vec3 GranularSpherocylinder<ContactModel>::radial_at(
-    PrimitiveWall &wall, const spherocylinder::Vec3 &point)
-{
-  double position[3], radial[3];
-  spherocylinder::store(point, position);
-  wall.calcRadialDistance(position, radial);
-  // LIGGGHTS gives x and z of a ycylinder in each other's place.
-  if (wall.axis() == 1) std::swap(radial[0], radial[2]);
-  return spherocylinder::load(radial);
-}
-
-// False if no side of the wall can be told to be the rod's: its centre lies in the plane, or it
-// stands on the cylinder's axis, where it touches nothing. `arm` reaches to one of its ends.
-template <typename ContactModel>
-bool GranularSpherocylinder<ContactModel>::find_surface(PrimitiveWall &wall, int i,
-                                                        const spherocylinder::Vec3 &arm,
-                                                        Surface &surface) const
+bool GranularSpherocylinder<ContactModel>::find_ends(int i, const spherocylinder::Vec3 &centre,
+                                                     const spherocylinder::Vec3 *arms, int ends,
+                                                     EndContact *contacts) const
 {
   using namespace spherocylinder;
-  double to_wall[3] = {};
-  const Vec3 centre = load(atom->x[i]);
-  surface.is_cylinder = wall.axis() >= 0;
-  if (!surface.is_cylinder) {
-    wall.resolveContact(atom->x[i], 0.0, to_wall);
-    surface.distance = norm(load(to_wall));
-    if (surface.distance == 0.0) return false;
-    surface.normal = (-1.0 / surface.distance) * load(to_wall);
+  if (!surface_.is_cylinder) {
+    const double height = surface_.height(centre);
+    if (height == 0.0) return false;
+    const Vec3 normal = (height > 0.0 ? 1.0 : -1.0) * surface_.unit();
+    for (int k = 0; k < ends; k++)
+      contacts[k] = {std::fabs(height) + dot(arms[k], normal), normal, Vec3{0.0, 0.0, 0.0}};
     return true;
   }
 
-  // LIGGGHTS gives the way to the nearest point of the cylinder; its radius follows from that at
-  // any point off the axis: the rod's centre, else its end.
-  const Vec3 radial_of_centre = radial_at(wall, centre);
-  const bool on_axis = norm_squared(radial_of_centre) == 0.0;
-  const Vec3 off_axis = on_axis ? centre + arm : centre;
-  const Vec3 radial = radial_at(wall, off_axis);
-  if (norm_squared(radial) == 0.0) return false;
-  double point[3];
-  store(off_axis, point);
-  wall.resolveContact(point, 0.0, to_wall);
-  surface.distance = norm(radial + load(to_wall));
-  if (norm(radial_of_centre) > surface.distance)
+  if (norm_squared(surface_.radial(centre)) > surface_.radius * surface_.radius)
     rod_error_one(lmp,
                   "Fix wall/gran (id %s): rod %d is outside the cylinder at step " BIGINT_FORMAT
                   "; rods know planes and the inside of cylinders only",
                   parent_->id, atom->tag[i], update->ntimestep);
+  for (int k = 0; k < ends; k++) {
+    const Vec3 radial = surface_.radial(centre + arms[k]);
+    const double from_axis = norm(radial);
+    const double inwards = from_axis > 0.0 ? -1.0 / from_axis : 0.0;  // on the axis: touches nothing
+    contacts[k] = {surface_.radius - from_axis, inwards * radial, radial};
+  }
   return true;
-}
-
-// An end that is through the wall while the rod's centre is not is pushed to the rod's side.
-template <typename ContactModel>
-typename GranularSpherocylinder<ContactModel>::EndContact
-GranularSpherocylinder<ContactModel>::end_contact(PrimitiveWall &wall, const Surface &surface,
-                                                  const spherocylinder::Vec3 &centre,
-                                                  const spherocylinder::Vec3 &arm) const
-{
-  using namespace spherocylinder;
-  if (!surface.is_cylinder)
-    return {surface.distance + dot(arm, surface.normal), surface.normal, Vec3{0.0, 0.0, 0.0}};
-
-  const Vec3 radial = radial_at(wall, centre + arm);
-  const double from_axis = norm(radial);
-  if (from_axis == 0.0) return {surface.distance, Vec3{0.0, 0.0, 0.0}, radial};
-  return {surface.distance - from_axis, (-1.0 / from_axis) * radial, radial};
 }
 
 // How far two ends that touch at once act as one contact, from 0 to 1: the ratio of their overlaps,
@@ -193,14 +151,14 @@ double GranularSpherocylinder<ContactModel>::shared_load(const EndContact &one,
 // cylinder's axis moves in proportion to the distance from that axis.
 template <typename ContactModel>
 spherocylinder::Vec3 GranularSpherocylinder<ContactModel>::wall_velocity(
-    const Surface &surface, const EndContact &contact, const double *vwall) const
+    const EndContact &contact, const double *vwall) const
 {
   using namespace spherocylinder;
   struct Access : FixWallGran {  // names FixWallGran's protected shear settings
     static int axis(FixWallGran &fix) { return fix.*(&Access::shearAxis_); }
     static const double *rate(FixWallGran &fix) { return fix.*(&Access::shearAxisVec_); }
   };
-  if (!surface.is_cylinder || !parent_->is_moving() || Access::axis(*parent_) < 0)
+  if (!surface_.is_cylinder || !parent_->is_moving() || Access::axis(*parent_) < 0)
     return load(vwall);
   return cross(load(Access::rate(*parent_)), contact.radial);
 }
@@ -213,12 +171,25 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
 {
   using namespace spherocylinder;
   const int i = sidata.i;
-  PrimitiveWall &primitive = *wall->primitiveWall();
   const Vec3 centre = load(atom->x[i]), axis = axis_of(load_quaternion(atom->quaternion[i]));
   const double radius = atom->shape[i][0], half_length = atom->shape[i][2] - radius;
+  if (!surface_known_) {
+    surface_ = surface_of(*wall->primitiveWall());
+    surface_known_ = true;
+  }
 
-  Surface surface;
-  if (!find_surface(primitive, i, half_length * axis, surface)) return;
+  // LIGGGHTS asks for every rod whose bounding sphere reaches the wall: few of them touch it.
+  const int ends = half_length > 0.0 ? 2 : 1;
+  const Vec3 arms[2] = {-half_length * axis, half_length * axis};
+  EndContact contacts[2] = {};
+  if (!find_ends(i, centre, arms, ends, contacts)) return;
+  const bool touching = contacts[0].distance <= radius || (ends == 2 && contacts[1].distance <= radius);
+  if (!touching) {
+    ForceData none;
+    if (sidata.contact_history)
+      for (int k = 0; k < ends; k++) models_[k].surfacesClose(sidata, none, none);
+    return;
+  }
 
   double end_velocity[3], end_wall_velocity[3];
   sidata.v_i = end_velocity;
@@ -239,12 +210,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
                                                            update->ntimestep);
   ForceData total;
   double normal_force = 0.0;
-  bool touching = false;
-  const int ends = half_length > 0.0 ? 2 : 1;
-  const Vec3 arms[2] = {-half_length * axis, half_length * axis};
   const InverseInertia inverse = {1.0 / atom->rmass[i], 1.0 / atom->inertia[i][0]};
-  EndContact contacts[2];
-  for (int k = 0; k < ends; k++) contacts[k] = end_contact(primitive, surface, centre, arms[k]);
   const double shared = ends == 2 ? shared_load(contacts[0], contacts[1], radius) : 0.0;
   const double coupling =
       shared > 0.0
@@ -270,12 +236,12 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     sidata.meff = 1.0 / (inverse_effective_mass(inverse, arm, contact.normal) + coupling);
     store(velocity_half_a_step_ago(load(atom->v[i]), load(atom->omega[i]), arm, update->dt),
           end_velocity);
-    store(wall_velocity(surface, contact, vwall), end_wall_velocity);
+    store(wall_velocity(contact, vwall), end_wall_velocity);
 
     sidata.kn = sidata.kt = 0.0;  // a stock model need not set them
     models_[k].surfacesIntersect(sidata, i_forces, j_forces);
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
-    sidata.has_force_update = touching = true;
+    sidata.has_force_update = true;
     monitor_.look(i, -1, sidata.kn, sidata.meff, sidata.deltan, 2.0 * radius);
     if (ContactRates *rates = monitor_.rates())
       rates->add(i, 1.0, sidata.kn, has_tangential_ ? sidata.kt : 0.0, inverse,
@@ -290,7 +256,6 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
     if (wall->heattransfer_flag()) wall->addHeatFlux(nullptr, i, radius, sidata.deltan, 1.0);
   }
 
-  if (!touching) return;  // LIGGGHTS asks for every rod whose bounding sphere reaches the wall
   if (sidata.computeflag) add_contact_load(atom->f[i], atom->torque[i], 1.0, total);
   report(*wall, sidata, total, normal_force);
 }

@@ -24,7 +24,8 @@ struct Limited {
 };
 
 // Three free rods: below the limit, above it across the axis, above it along the axis too.
-Limited run_limited(const std::string &options, int ranks = 1, double limit = kLimit)
+Limited run_limited(const std::string &options, int ranks = 1, double limit = kLimit,
+                    int steps = 10)
 {
   Scene scene;
   const Vec3 spins[] = {{1.0, 2.0, 1.0}, {0.5, 30.0, 0.0}, {40.0, -8.0, 9.0}};
@@ -42,19 +43,20 @@ neighbor 0.02 bin
 )" + linear_material(1e5, 1e5, 0.5, 0.2) +
                    rod_pair("linear tangential history") +
                    fmt::format(R"(fix motion all nve/spherocylinder
-fix limit all limit/omega {} {}
+fix limit all limit/omega {0} {1}
 compute contacts all contact/spherocylinder
 compute energy all erotate/spherocylinder
 timestep 1e-5
 thermo_style custom step f_limit[1] f_limit[2] f_limit[3] f_limit[4] f_limit[5] c_energy
 thermo_modify norm no format float %.17g
-thermo 1
-{}run 10
+thermo {4}
+{2}run {3}
 )",
                                limit, options,
-                               exact_dump("dump.rods", 1, kFrameColumns) +
-                                   "dump limited all custom 1 dump.limited id f_limit[1] f_limit[2]\n"
-                                   "dump_modify limited sort id format \"%d %.17g %.17g\"\n"));
+                               exact_dump("dump.rods", steps, kFrameColumns) +
+                                   "dump limited all custom 10 dump.limited id f_limit[1] f_limit[2]\n"
+                                   "dump_modify limited sort id format \"%d %.17g %.17g\"\n",
+                               steps, steps / 10));
   const Outcome outcome = folder.run("in.limit", {Program::Lmp, ranks});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   return {scene.rods, read_frames(folder / "dump.rods", scene).back().rods,
@@ -135,6 +137,15 @@ TEST(LimitOmega, TellsWhichRods)
     EXPECT_EQ(result.of_rods.atoms.rows[0][1], 0.0) << "rod 1 turns slower than the limit";
     EXPECT_GE(most, 1.0);
   }
+}
+
+// Free rods keep what the limit leaves them: two of the three are limited once, and never again
+// for being above it by rounding.
+TEST(LimitOmega, RoundingIsNoAction)
+{
+  const Limited result = run_limited("", 1, kLimit, 10000);
+  EXPECT_EQ(result.thermo.rows.back()[1], 2.0);
+  EXPECT_EQ(result.thermo.rows.back()[4], 1.0);
 }
 
 TEST(LimitOmega, IsIdleBelowTheLimit)

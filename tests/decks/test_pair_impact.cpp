@@ -201,6 +201,43 @@ TEST_P(PairImpact, HeadOnRestitutionAndContactTime)
                time_error);
 }
 
+// Nearly parallel rods that meet with one end: the contact there is half a spring (spread_contact),
+// damped for what it is, so that its points part with e times their approach. The rods turn by less
+// than a tenth of the tilt meanwhile, and the free end stays clear.
+TEST_P(PairImpact, NearlyParallelRodsOnOneEnd)
+{
+  const double restitution = 0.5, approach = 1e-3, stiffness = 1e6;
+  Scene scene;
+  for (const double tilt : {0.002, 0.005, 0.02, 0.1}) {
+    Rod lower, upper;
+    lower.position.y = upper.position.y = -0.8 + 0.2 * static_cast<double>(scene.rods.size());
+    upper.axis = {std::cos(tilt), 0.0, std::sin(tilt)};
+    // The lower end of the upper rod, at x = -h/2 cos(tilt), over the lower rod.
+    upper.position.x = 0.01;
+    upper.position.z = upper.diameter + 1e-8 + upper.half_cylinder() * std::sin(tilt);
+    upper.velocity.z = -approach;
+    scene.rods.push_back(lower);
+    scene.rods.push_back(upper);
+  }
+  scene.physics = linear_material(stiffness, stiffness, restitution, 0.0) +
+                  rod_pair("linear tangential off") + "fix motion all nve/spherocylinder\n";
+  scene.dt = 1e-7;
+  scene.steps = 10000;
+  const std::vector<Rod> after = run(scene, GetParam()).back().rods;
+
+  double error = 0.0;
+  for (size_t k = 0; k < after.size(); k += 2) {
+    const auto end_velocity = [&](const Rod &lower, const Rod &upper) {
+      const Vec3 end = -upper.half_cylinder() * upper.axis;
+      const Vec3 below = {upper.position.x + end.x, 0.0, 0.0};
+      return upper.velocity.z + cross(upper.omega, end).z - lower.velocity.z -
+             cross(lower.omega, below).z;
+    };
+    error = std::max(error, std::fabs(end_velocity(after[k], after[k + 1]) / approach / restitution - 1.0));
+  }
+  expect_holds({"Nearly parallel rods on one end: restitution, relative", "e", 1e-3}, error);
+}
+
 // limitForce on: the force is cut off where it would pull, at which the pair parts with
 // e' = exp(-zeta/sqrt(1-zeta^2) (pi - atan(2 zeta sqrt(1-zeta^2)/(1-2 zeta^2)))) for zeta <
 // 1/sqrt(2) (Schwager and Poeschel, Granular Matter 9 (2007) 465).

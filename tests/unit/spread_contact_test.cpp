@@ -123,6 +123,51 @@ TEST(SpreadContact, ForceIsContinuousInTheOverlap)
   }
 }
 
+// Rods that slide along each other until they lie side by side, or no longer do, tilted or not: steps
+// of 1e-6 along the rod change the force and the torque in proportion. The steepest is the tilt, which
+// moves the overlap by tilt a unit, and the way the contact moves on; a jump would be of 1e-3.
+TEST(SpreadContact, NoJumpWhereRodsComeToLieSideBySide)
+{
+  for (const double tilt : {0.0, 0.001, 0.02, 0.05, 0.14}) {
+    for (const double turn : {0.0, 0.01}) {
+      Scene scene = stacked(tilt, turn, 0.0);
+      const double along = 2.0 * kHalf;  // where the ends pass each other
+      Load last{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+      double worst = 0.0;
+      for (int k = 0; k <= 400000; ++k) {
+        const double shift = along - 0.2 + 1e-6 * k;
+        // The near end of j stays at the same height above i.
+        scene.j.centre = {shift, 0.0, kReach - kOverlap + kHalf * std::sin(tilt)};
+        const Load load = load_of(scene, true);
+        if (k > 0)
+          worst = std::max({worst, norm(load.force - last.force), norm(load.torque - last.torque)});
+        last = load;
+      }
+      EXPECT_LT(worst, 2e-5) << "tilt " << tilt << " turn " << turn;
+    }
+  }
+}
+
+// Pushed straight into each other until the axes meet, nearly parallel rods feel no jump either.
+TEST(SpreadContact, ForceIsContinuousUntilTheAxesMeet)
+{
+  for (const double tilt : {0.0, 0.01, 0.03}) {
+    for (const double turn : {0.001, 0.01, 0.03}) {
+      Load last{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+      double worst = 0.0;
+      Scene scene = stacked(tilt, turn, 0.5);
+      for (double height = 1.0; height > 0.5; height -= 1e-5) {
+        scene.j.centre.z = height;
+        const Load load = load_of(scene, true);
+        if (height < 1.0)
+          worst = std::max({worst, norm(load.force - last.force), norm(load.torque - last.torque)});
+        last = load;
+      }
+      EXPECT_LT(worst, 1e-3) << "tilt " << tilt << " turn " << turn;
+    }
+  }
+}
+
 // One contact of one stiffness: the force is never above that of the closest point, and not below
 // half of it.
 TEST(SpreadContact, StiffnessIsThatOfOneContact)
