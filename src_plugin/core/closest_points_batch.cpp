@@ -61,10 +61,10 @@ SPHEROCYLINDER_VECTOR void closest_points(SegmentPairs &pairs)
     const double on_i = half_beside(dot(between, u), hi, hj * cosine);
     const double on_j = half_beside(-dot(between, v), hj, hi * cosine);
     const double overlap = reach - std::sqrt(distance_squared);
-    const double shared = larger(on_i, 0.0) * larger(on_j, 0.0);
+    const double shorter = smaller(hi, hj);
     const double limit = 2.0 * reach * overlap;
-    const double below = shared * determinant < limit ? 1.0 : 0.0;
-    pairs.nearly_parallel[k] = shared > 0.0 ? below : 0.0;
+    const double below = shorter * shorter * determinant < limit ? 1.0 : 0.0;
+    pairs.nearly_parallel[k] = smaller(on_i, on_j) > 0.0 ? below : 0.0;
   }
 }
 

@@ -153,7 +153,8 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     double s, t;
     spherocylinder::Vec3 normal;
     double distance, overlap;
-    double share;  // of the stiffness, see RodContact
+    double share;                 // of the stiffness, see RodContact
+    spherocylinder::Vec3 couple;  // on rod i, over the stiffness (m^2)
   };
 
   int history_offset(const std::string &name) const;
@@ -185,7 +186,7 @@ spherocylinder::RodContact GranularSpherocylinder<ContactModel>::spread(const To
   const Segment &i = rods_[touch.i].segment, &j = rods_[touch.j].segment;
   if (atom->tag[touch.i] < atom->tag[touch.j]) return spread_contact(i, j, reach, touch.points);
   const RodContact contact = spread_contact(j, i, reach, swapped(touch.points));
-  return {swapped(contact.points), contact.overlap, contact.share};
+  return {swapped(contact.points), contact.overlap, contact.share, -contact.couple};
 }
 
 // `side`: the normal of the last step, null without a history, zero for a new contact.
@@ -222,7 +223,8 @@ GranularSpherocylinder<ContactModel>::geometry_of(const Touch &touch, const doub
       normal = std::fabs(u.x) < 0.5 ? cross(u, Vec3{1.0, 0.0, 0.0}) : cross(u, Vec3{0.0, 1.0, 0.0});
     normal = (1.0 / norm(normal)) * normal;
   }
-  return {contact.points.s, contact.points.t, normal, distance, contact.overlap, contact.share};
+  return {contact.points.s, contact.points.t, normal, distance, contact.overlap,
+          contact.share, contact.couple};
 }
 
 // Where the models keep a value of this name; the stock ones do not all tell.
@@ -363,6 +365,7 @@ void GranularSpherocylinder<ContactModel>::compute_batched(PairGran &pair, int *
         c.distance[k] = g.distance;
         c.overlap[k] = g.overlap;
         c.share[k] = g.share;
+        c.couple.set(k, g.couple);
         c.side.set(k, kZero);  // minded already
       } else {
         c.s[k] = touch.points.s;
@@ -371,6 +374,7 @@ void GranularSpherocylinder<ContactModel>::compute_batched(PairGran &pair, int *
         c.distance[k] = touch.distance;
         c.overlap[k] = rod_i.radius + rod_j.radius - touch.distance;
         c.share[k] = 1.0;
+        c.couple.set(k, kZero);
       }
 
       const Motion &motion_i = motions_[i], &motion_j = motions_[j];
@@ -511,8 +515,9 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
                  rod_j.segment.axis, arm_j, sidata.crj, -normal);
     }
 
-    add_to(i_forces.delta_torque, cross(arm_i, load(i_forces.delta_F)));
-    add_to(j_forces.delta_torque, cross(arm_j, load(j_forces.delta_F)));
+    const Vec3 couple = sidata.kn * contact.couple;
+    add_to(i_forces.delta_torque, cross(arm_i, load(i_forces.delta_F)) + couple);
+    add_to(j_forces.delta_torque, cross(arm_j, load(j_forces.delta_F)) - couple);
     if (sidata.computeflag) {
       add_contact_load(f[i], torque[i], pair.relax(i), i_forces);
       if (j < nlocal) add_contact_load(f[j], torque[j], pair.relax(j), j_forces);

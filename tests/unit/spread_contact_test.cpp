@@ -43,7 +43,7 @@ Load load_of(const Scene &scene, bool spread)
   if (spread) contact = spread_contact(scene.i, scene.j, kReach, closest);
   const ClosestPoints &c = contact.points;
   const Vec3 force = (contact.overlap / norm(c.delta)) * c.delta;
-  return {force, cross(c.s * scene.i.axis, force)};
+  return {force, cross(c.s * scene.i.axis, force) + contact.couple};
 }
 
 // Largest change of the torque between neighbouring poses while an angle goes through zero in
