@@ -168,6 +168,78 @@ TEST(SpreadContact, ForceIsContinuousUntilTheAxesMeet)
   }
 }
 
+// The energy the rule states, written out once more: E/k =
+// ((1 - g) overlap*^2 + g (overlap_A^2 + overlap_B^2)/2)/2.
+double energy_of(const Scene &scene)
+{
+  const Segment &i = scene.i, &j = scene.j;
+  const double overlap = kReach - std::sqrt(closest_points(i, j).distance_squared);
+  if (overlap <= 0.0) return 0.0;
+  const double sine = norm(cross(i.axis, j.axis)), h = std::min(i.half_length, j.half_length);
+  const double q2 = h * h * sine * sine * (1.0 + 100.0 * overlap * overlap / (kReach * kReach)) /
+                    (2.0 * kReach * overlap);
+  if (q2 >= 1.0) return 0.5 * overlap * overlap;
+  double squares = 0.0, half[2];
+  for (const bool on_j : {false, true}) {
+    const Segment &one = on_j ? j : i, &other = on_j ? i : j;
+    const double middle = dot(other.centre - one.centre, one.axis);
+    const double reach = other.half_length * std::fabs(dot(one.axis, other.axis));
+    const double ends[] = {std::max(-one.half_length, middle - reach),
+                           std::min(one.half_length, middle + reach)};
+    half[on_j] = 0.5 * (ends[1] - ends[0]);
+    for (const double s : ends) {
+      const Vec3 point = one.at(s);
+      const double at_end =
+          std::max(0.0, kReach - norm(point - other.at(closest_position(other, point))));
+      squares += 0.25 * at_end * at_end;
+    }
+  }
+  const double g = (1.0 - q2) * (1.0 - q2) * std::min(half[0], half[1]) / std::max(half[0], half[1]);
+  return 0.5 * ((1.0 - g) * overlap * overlap + g * squares);
+}
+
+// Force and torque are the derivatives of that energy (overlaps below a tenth of the reach), against
+// central differences over small moves and turns of rod i.
+TEST(SpreadContact, ForceAndTorqueAreDerivativesOfItsEnergy)
+{
+  RandomRods random(15485867);
+  constexpr double step = 1e-7;
+  double worst_force = 0.0, worst_torque = 0.0;
+  int spread = 0;
+  for (int k = 0; k < 20000; ++k) {
+    Scene scene = stacked(random.uniform(-0.01, 0.01), random.uniform(-0.03, 0.03),
+                          random.uniform(-6.0, 6.0));
+    scene.j.centre.z -= random.uniform(-0.005, 0.02);
+    const Load load = load_of(scene, true);
+    if (norm(load.force) < 1e-4) continue;
+    spread += norm(load.force - load_of(scene, false).force) > 1e-6;
+    for (const Vec3 direction : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
+      double moved[2], turned[2];
+      for (const int side : {0, 1}) {
+        const double by = side ? step : -step;
+        Scene other = scene;
+        other.i.centre = scene.i.centre + by * direction;
+        moved[side] = energy_of(other);
+        other = scene;
+        const Vec3 axis = scene.i.axis + by * cross(direction, scene.i.axis);
+        other.i.axis = (1.0 / norm(axis)) * axis;
+        turned[side] = energy_of(other);
+      }
+      const double force = -(moved[1] - moved[0]) / (2.0 * step);
+      const double torque = -(turned[1] - turned[0]) / (2.0 * step);
+      worst_force =
+          std::max(worst_force, std::fabs(force - dot(load.force, direction)) / norm(load.force));
+      worst_torque = std::max(worst_torque, std::fabs(torque - dot(load.torque, direction)) /
+                                                (kHalf * norm(load.force)));
+    }
+  }
+  std::printf("worst: force %.1e, torque %.1e of force x half length\n", worst_force, worst_torque);
+  EXPECT_GT(spread, 5000);
+  // Left out: one direction for all three forces (they differ by H sin/reach), the change of m.
+  EXPECT_LT(worst_force, 0.01);
+  EXPECT_LT(worst_torque, 0.005);
+}
+
 // One contact of one stiffness: the force is never above that of the closest point, and not below
 // half of it.
 TEST(SpreadContact, StiffnessIsThatOfOneContact)
