@@ -311,9 +311,11 @@ Vec3 way(const Scene &scene, const Vec3 &a, const Vec3 &b)
   return d;
 }
 
-// The rows of each rod sum up to the force and the torque it felt, less its weight.
+// The rows of each rod sum up to the force and the torque it felt, less its weight. What the torque
+// of a row holds beyond (point - centre) x force is a couple of spread_contact: rod j feels its
+// opposite. With `closest` there is none.
 void expect_rows_sum_to_loads(const Scene &scene, const Result &result, size_t frame,
-                              const std::string &name)
+                              const std::string &name, bool closest)
 {
   const std::vector<Rod> &rods = result.frames[frame].rods;
   std::vector<Vec3> forces, torques;
@@ -330,9 +332,11 @@ void expect_rows_sum_to_loads(const Scene &scene, const Result &result, size_t f
   for (const Contact &c : result.pairs[frame]) {
     act(c.ids[0], c.force, c.point);
     act(c.ids[1], -c.force, c.point);
-    own_torque = std::max(
-        own_torque,
-        norm(c.torque - cross(way(scene, c.point, rods[c.ids[0] - 1].position), c.force)));
+    const Vec3 couple =
+        c.torque - cross(way(scene, c.point, rods[c.ids[0] - 1].position), c.force);
+    torques[c.ids[0] - 1] = torques[c.ids[0] - 1] + couple;
+    torques[c.ids[1] - 1] = torques[c.ids[1] - 1] - couple;
+    if (closest) own_torque = std::max(own_torque, norm(couple));
   }
   for (const Contact &c : result.walls[frame]) {
     act(c.ids[2], c.force, c.point);
@@ -444,7 +448,7 @@ void expect_rows_of_a_heap(const Scene &scene, Mode mode, const std::string &nam
     const std::vector<Rod> &rods = result.frames[frame].rods;
     ASSERT_GT(result.pairs[frame].size(), 15u);
     expect_each_pair_once(result.frames[frame], result.pairs[frame]);
-    expect_rows_sum_to_loads(scene, result, frame, name);
+    expect_rows_sum_to_loads(scene, result, frame, name, closest);
     if (closest) expect_points_are_closest(scene, rods, result.pairs[frame], name);
     expect_points_are_in_walls(rods, result.walls[frame]);
     expect_parts_belong_together(result.pairs[frame]);
