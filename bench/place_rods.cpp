@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Writes a data file for read_data: a periodic box of rods at random, clear of each other, with
 // random velocities.
-//   place_rods LAMBDA SOLID_FRACTION RODS COPIES_X COPIES_Y COPIES_Z > gas.data
+//   place_rods LAMBDA SOLID_FRACTION RODS COPIES_X COPIES_Y COPIES_Z [floor] > gas.data
 // RODS rods are placed in a cube one after the other (random sequential addition: a trial that
 // touches a rod already there is thrown away). The box is that cube repeated; each copy has its own
 // velocities. Large and small gases so have the same surroundings a rod, and cost a rod can be
-// compared. Rods are numbered at random, as an insertion would leave them.
+// compared. With "floor" the box is not periodic in z: it is a rod's length higher, and all rods are
+// above z = 0. Rods are numbered at random, as an insertion would leave them.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "core/closest_points.h"
@@ -110,8 +112,10 @@ class Cube {
 
 int main(int argc, char **argv)
 {
-  if (argc != 7) {
-    fmt::print(stderr, "usage: place_rods LAMBDA SOLID_FRACTION RODS COPIES_X COPIES_Y COPIES_Z\n");
+  const bool has_floor = argc == 8 && std::string(argv[7]) == "floor";
+  if (argc != 7 && !has_floor) {
+    fmt::print(stderr, "usage: place_rods LAMBDA SOLID_FRACTION RODS COPIES_X COPIES_Y COPIES_Z "
+                       "[floor]\n");
     return 2;
   }
   const double lambda = std::atof(argv[1]), solid = std::atof(argv[2]);
@@ -140,13 +144,17 @@ int main(int argc, char **argv)
       for (int c = 0; c < copies[2]; ++c)
         for (Segment rod : cube.rods) {
           rod.centre = rod.centre + side * Vec3{double(a), double(b), double(c)};
+          if (has_floor) rod.centre.z += 0.5 * lambda * kDiameter;
           rods.push_back(rod);
         }
   std::shuffle(rods.begin(), rods.end(), random_bits);
 
   fmt::print("Rods of aspect ratio {} at random, {} of the volume\n\n{} atoms\n1 atom types\n\n", lambda,
              solid, rods.size());
-  for (int d = 0; d < 3; ++d) fmt::print("0 {:.17g} {}lo {}hi\n", copies[d] * side, "xyz"[d], "xyz"[d]);
+  for (int d = 0; d < 3; ++d) {
+    const double headroom = d == 2 && has_floor ? lambda * kDiameter : 0.0;
+    fmt::print("0 {:.17g} {}lo {}hi\n", copies[d] * side + headroom, "xyz"[d], "xyz"[d]);
+  }
   fmt::print("\nAtoms\n\n");
   for (std::size_t n = 0; n < rods.size(); ++n) {
     const Segment &r = rods[n];
