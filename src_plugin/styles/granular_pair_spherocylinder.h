@@ -158,7 +158,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   };
 
   int history_offset(const std::string &name) const;
-  void read_rods(int frozen_bit);
+  void read_rods(int frozen_bit, bool rebuilt);
   spherocylinder::RodContact spread(const Touch &touch, double reach) const;
   Geometry geometry_of(const Touch &touch, const double *side) const;
   bool single_contacts_wanted(PairGran &pair) const;
@@ -271,8 +271,10 @@ void GranularSpherocylinder<ContactModel>::separate(SurfacesIntersectData &sidat
     for (int d = 0; d < 3; d++) sidata.contact_history[side_offset_ + d] = 0.0;
 }
 
+// Masses and inertias are those of the last rebuilding of LIGGGHTS's list, when rods may have come,
+// gone or changed.
 template <typename ContactModel>
-void GranularSpherocylinder<ContactModel>::read_rods(int frozen_bit)
+void GranularSpherocylinder<ContactModel>::read_rods(int frozen_bit, bool rebuilt)
 {
   using namespace spherocylinder;
   const int nall = atom->nlocal + atom->nghost;
@@ -283,9 +285,12 @@ void GranularSpherocylinder<ContactModel>::read_rods(int frozen_bit)
     rods_[i] = {{load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
                  shape[2] - shape[0]},
                 shape[0]};
+    motions_[i].velocity = load(atom->v[i]);
+    motions_[i].omega = load(atom->omega[i]);
+    if (!rebuilt) continue;
     const bool frozen = atom->mask[i] & frozen_bit;
-    motions_[i] = {load(atom->v[i]), load(atom->omega[i]),
-                   {frozen ? 0.0 : 1.0 / atom->rmass[i], frozen ? 0.0 : 1.0 / atom->inertia[i][0]}};
+    motions_[i].inverse = {frozen ? 0.0 : 1.0 / atom->rmass[i],
+                           frozen ? 0.0 : 1.0 / atom->inertia[i][0]};
   }
 }
 
@@ -300,8 +305,9 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
 
   int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
   double **first_history = pair->listgranhistory ? pair->listgranhistory->firstdouble : nullptr;
-  read_rods(pair->freeze_group_bit());
-  close_pairs_.update(*pair->list, first_flags, rods_, neighbor->ago == 0);
+  const bool rebuilt = neighbor->ago == 0;
+  read_rods(pair->freeze_group_bit(), rebuilt);
+  close_pairs_.update(*pair->list, first_flags, rods_, rebuilt);
   touching_pairs_.find(close_pairs_.entries(), rods_, atom->tag, first_flags);
 
   auto *local = ComputeGranLocalSpherocylinder::collecting(pair->cpl(), update->ntimestep);
