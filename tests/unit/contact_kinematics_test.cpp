@@ -2,55 +2,16 @@
 #include "core/contact_kinematics.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <gtest/gtest.h>
 
 #include "core/mass_properties.h"
+#include "inertia_tensor.h"
 #include "test_support.h"
 
 using namespace spherocylinder;
 
 namespace {
-
-using Matrix = std::array<std::array<long double, 3>, 3>;
-
-// I_t (1 - u u^T) + I_a u u^T.
-Matrix inertia_tensor(const Vec3 &axis, const MassProperties &p)
-{
-  const long double u[] = {axis.x, axis.y, axis.z};
-  Matrix tensor;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b)
-      tensor[a][b] =
-          p.inertia_transverse * (a == b) + (p.inertia_axial - p.inertia_transverse) * u[a] * u[b];
-  return tensor;
-}
-
-// Adjugate over determinant.
-Matrix inverse(const Matrix &m)
-{
-  const auto minor = [&m](int a, int b) {
-    const int a1 = (a + 1) % 3, a2 = (a + 2) % 3, b1 = (b + 1) % 3, b2 = (b + 2) % 3;
-    return m[a1][b1] * m[a2][b2] - m[a1][b2] * m[a2][b1];
-  };
-  const long double determinant =
-      m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
-  Matrix result;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) result[b][a] = minor(a, b) / determinant;
-  return result;
-}
-
-// x^T M x.
-double contracted(const Matrix &m, const Vec3 &vector)
-{
-  const long double x[] = {vector.x, vector.y, vector.z};
-  long double sum = 0.0L;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) sum += x[a] * m[a][b] * x[b];
-  return static_cast<double>(sum);
-}
 
 struct Rod {
   MassProperties properties;
