@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The batched contact loop of model linear against LIGGGHTS's contact models called one contact
+// after the other, which any step uses in which fix check/timestep/spherocylinder looks.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <random>
+#include <sstream>
+
+#include "claim.h"
+#include "run_mode.h"
+
+using namespace decks;
+
+namespace {
+
+// Steps in which single contacts are asked for: none but those of thermo output, all, every third.
+enum class Loop { Batched, Each, EveryThird };
+
+std::string asking(Loop loop)
+{
+  if (loop == Loop::Batched) return "";
+  return fmt::format("fix look all check/timestep/spherocylinder {} 1.0 warn no\n",
+                     loop == Loop::Each ? 1 : 3);
+}
+
+enum Type { kHard = 1, kSoft = 2, kFixed = 3 };
+constexpr int kTypes = 3;
+
+// Sixty rods crosswise in layers on a floor, pressed into each other and in motion: beside each
+// other (nearly parallel), across each other, some of them spheres; eighty contacts, which drive
+// the heap apart. Two more rods are driven through each other elsewhere, and two fixed ones lie in
+// each other with a third on top.
+Scene heap()
+{
+  std::mt19937 random(104743);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const auto vector = [&](double size) {
+    return size * Vec3{any(random), any(random), any(random)};
+  };
+  constexpr double kSpacing = 0.0099;
+  Scene scene;
+  scene.types = kTypes;
+  scene.skin = 0.01;
+  for (int layer = 0; layer < 6; layer++)
+    for (int k = 0; k < 10; k++) {
+      Rod rod;
+      rod.diameter = 0.01 + 2e-4 * any(random);
+      rod.length = k == 4 || k == 5 ? rod.diameter : 0.06 + 0.03 * any(random);
+      const double across = kSpacing * (k - 4.5);
+      const Vec3 slant = vector(2e-3);
+      rod.axis = normalized((layer % 2 ? Vec3{0.0, 1.0, 0.0} : Vec3{1.0, 0.0, 0.0}) + slant);
+      rod.position = {layer % 2 ? across : 2e-3 * any(random),
+                      layer % 2 ? 2e-3 * any(random) : across, kSpacing * (layer + 0.49)};
+      rod.velocity = vector(0.3);
+      rod.omega = vector(10.0);
+      scene.rods.push_back(rod);
+    }
+
+  for (const double side : {-1.0, 1.0}) {
+    Rod rod;
+    rod.type = kSoft;
+    rod.position = {0.3, 0.3 + 1e-3 * side, 0.3 + 0.0055 * side};
+    rod.axis = side < 0.0 ? Vec3{1.0, 0.2, 0.0} : Vec3{0.3, 1.0, 0.1};
+    rod.axis = normalized(rod.axis);
+    rod.velocity.z = -7.0 * side;
+    scene.rods.push_back(rod);
+  }
+
+  for (const double angle : {-0.3, 0.3}) {
+    Rod rod;
+    rod.type = kFixed;
+    rod.position = {-0.3 + 0.005 * angle, -0.3, 0.1};
+    rod.axis = {std::cos(angle), std::sin(angle), 0.0};
+    scene.rods.push_back(rod);
+  }
+  Rod loose;
+  loose.position = {-0.3, -0.3, 0.11 - 5e-7};  // about its weight
+  loose.axis = {0.0, 1.0, 0.0};
+  loose.velocity = {0.1, 0.2, 0.0};
+  scene.rods.push_back(loose);
+
+  scene.box_lo[2] = -0.1;
+  scene.dt = 1e-5;
+  scene.steps = 600;
+  scene.dump_every = 100;
+  return scene;
+}
+
+// A pair's own values, so that a mix-up of types would show.
+std::string material()
+{
+  const auto kn = [](int i, int j) { return i == kSoft && j == kSoft ? 5e3 : 1e5 + 2e4 * (i + j); };
+  return pair_property("kn", kTypes, kn) +
+         pair_property("kt", kTypes, [&](int i, int j) { return 0.6 * kn(i, j); }) +
+         pair_property("coefficientRestitution", kTypes,
+                       [](int i, int j) { return 0.4 + 0.05 * (i + j); }) +
+         pair_property("coefficientFriction", kTypes,
+                       [](int i, int j) { return 0.2 + 0.05 * (i + j); });
+}
+
+Scene heap(const std::string &tangential, const std::string &keywords)
+{
+  Scene scene = heap();
+  const std::string models = "linear tangential " + tangential;
+  scene.physics = material() +
+                  fmt::format("pair_style gran model {} surface spherocylinder {}\n", models,
+                              keywords) +
+                  "pair_coeff * *\n" +
+                  rod_wall("floor", models, "type 1 zplane 0.0") +
+                  "group fixed type 3\ngroup loose type 1 2\nfix hold fixed freeze\n"
+                  "fix weight all gravity 9.81 vector 0.0 0.0 -1.0\n"
+                  "fix motion loose nve/spherocylinder\n";
+  return scene;
+}
+
+std::vector<Frame> run_heap(const std::string &tangential, const std::string &keywords, Loop loop,
+                            Mode mode = Mode::OneRank)
+{
+  Scene scene = heap(tangential, keywords);
+  scene.physics += asking(loop);
+  return run(scene, mode);
+}
+
+// Largest difference at any frame (m): of the centres and, with the axes, of the ends. Not a number
+// if one is.
+double difference(const std::vector<Frame> &a, const std::vector<Frame> &b)
+{
+  if (a.empty() || a.size() != b.size()) return NAN;
+  double largest = 0.0;
+  for (size_t f = 0; f < a.size(); f++)
+    for (size_t k = 0; k < a[f].rods.size(); k++) {
+      const Rod &one = a[f].rods[k], &other = b[f].rods[k];
+      const double apart = norm(one.position - other.position) +
+                           norm(cross(one.axis, other.axis)) * one.half_cylinder();
+      if (!std::isfinite(apart)) return NAN;
+      largest = std::max(largest, apart);
+    }
+  return largest;
+}
+
+double contacts(const Frame &frame)
+{
+  double sum = 0.0;
+  for (const double of_rod : frame.contacts) sum += of_rod;
+  return 0.5 * sum;
+}
+
+struct Case {
+  const char *name, *tangential, *keywords;
+};
+
+void PrintTo(const Case &c, std::ostream *out) { *out << c.name; }
+
+class BatchedForces : public testing::TestWithParam<Case> {};
+
+// Rounding of the forces, 1e-16 of some ten newtons a step, on rods of some grams, and what a few
+// contacts make of it. A heap held together for longer would not do with spread_contact off: as
+// rods turn past parallel their closest point runs along them, and any rounding grows.
+constexpr double kSameMotion = 1e-12;
+
+void expect_same(const std::string &what, const std::vector<Frame> &frames,
+                 const std::vector<Frame> &each)
+{
+  expect_holds({"Batched contact loop, " + what + ": position (m)",
+                "LIGGGHTS's models, one contact after the other", kSameMotion},
+               difference(frames, each));
+}
+
+}  // namespace
+
+TEST_P(BatchedForces, SameMotionAsOneContactAfterTheOther)
+{
+  const auto [name, tangential, keywords] = GetParam();
+  const std::vector<Frame> each = run_heap(tangential, keywords, Loop::Each);
+  const std::vector<Frame> batched = run_heap(tangential, keywords, Loop::Batched);
+  expect_same("all models", batched, each);
+  // The two loops round differently: to the last bit equal, one and the same would have run twice.
+  EXPECT_GT(difference(batched, each), 0.0);
+  EXPECT_GT(contacts(each[0]), 70.0);
+}
+
+// Histories pass from one loop to the other and back.
+TEST_P(BatchedForces, TheLoopsMayTakeTurns)
+{
+  const auto [name, tangential, keywords] = GetParam();
+  expect_same("in turns with the other", run_heap(tangential, keywords, Loop::EveryThird),
+              run_heap(tangential, keywords, Loop::Each));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, BatchedForces,
+    testing::Values(Case{"Off", "off", ""}, Case{"NoHistory", "no_history", ""},
+                    Case{"History", "history", ""},
+                    Case{"AspectScaling", "history", "aspect_scaling on"},
+                    Case{"LimitForce", "history", "limitForce on"},
+                    Case{"WithoutTangentialDamping", "history", "tangential_damping off"},
+                    Case{"AtTheClosestPoint", "history", "spread_contact off"}),
+    [](const auto &info) { return std::string(info.param.name); });
+
+// The border cuts the heap in the middle.
+TEST(BatchedForcesOnRanks, SameMotionOnTwo)
+{
+  expect_same("2 ranks", run_heap("history", "", Loop::Batched, Mode::TwoRanks),
+              run_heap("history", "", Loop::Each));
+}
+
+// Two fixed rods lie in each other: there is nothing to move, no force and no NaN. fix freeze takes
+// the forces off them but sums them up first, in steps of batches too.
+TEST(BatchedForcesOfFixedRods, DoNotExist)
+{
+  const DeckFolder folder;
+  const Scene scene = heap("history", "");
+  folder.write("rods.data", data_file(scene));
+  folder.write("in.fixed", preamble(scene) + "read_data rods.data\nneighbor 0.01 bin\n" +
+                               scene.physics + R"(timestep 1e-5
+fix sum all ave/time 1 1 1 f_hold[1] f_hold[2] f_hold[3] file forces
+thermo 100
+run 100
+)");
+  const Outcome outcome = folder.run("in.fixed");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  std::istringstream lines(folder.read("forces"));
+  int steps = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream values(line);
+    double step = -1.0, x = NAN, y = NAN, z = NAN;
+    values >> step >> x >> y >> z;
+    ASSERT_TRUE(std::isfinite(norm(Vec3{x, y, z}))) << line;
+    steps++;
+  }
+  EXPECT_GE(steps, 100);
+}
+
+// The scene does what it is for: the soft rods' axes pass each other and are pushed back the way
+// they came, the loose rod stays up.
+TEST(BatchedForcesScene, RodsAreDrivenThroughEachOther)
+{
+  const std::vector<Frame> frames = run_heap("history", "", Loop::Batched);
+  double lowest = 1.0;
+  for (const Frame &frame : frames)
+    lowest = std::min(lowest, frame.rods[61].position.z - frame.rods[60].position.z);
+  EXPECT_LT(lowest, 0.0);
+  EXPECT_GT(frames.back().rods[61].velocity.z - frames.back().rods[60].velocity.z, 0.0);
+  EXPECT_GT(frames.back().rods.back().position.z, 0.109);
+}
