@@ -416,7 +416,7 @@ void GranularSpherocylinder<ContactModel>::compute_batched(PairGran &pair, int *
         if (remember) store(c.side.get(k), history + side_offset_);
         if (has_spring) store(c.spring.get(k), history + spring_offset_);
       }
-      monitor_.look(i, j, c.stiffness[k], 1.0 / c.inverse_mass[k], c.overlap[k],
+      monitor_.look(i, j, c.stiffness[k], c.share[k] / c.inverse_mass[k], c.overlap[k],
                     c.radius_i[k] + c.radius_j[k]);
       const Vec3 force = c.force.get(k);
       const double relax_i = pair.relax(i);
