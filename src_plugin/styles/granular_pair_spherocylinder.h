@@ -12,7 +12,6 @@
 #include "comm.h"
 #include "compute_gran_local_spherocylinder.h"
 #include "core/contact_kinematics.h"
-#include "core/spread_contact.h"
 #include "fix_contact_property_atom.h"
 #include "force.h"
 #include "granular_pair_style.h"
@@ -20,8 +19,8 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "rod_contact.h"
+#include "rod_pair_geometry.h"
 #include "settings.h"
-#include "touching_rod_pairs.h"
 
 namespace LIGGGHTS {
 namespace PairStyles {
@@ -29,13 +28,6 @@ namespace PairStyles {
 using namespace LAMMPS_NS;
 using ContactModels::ForceData;
 using ContactModels::SurfacesIntersectData;
-
-// Harmonic mean, as of two springs in series.
-inline double mean_aspect_ratio(const spherocylinder::Capsule &i, const spherocylinder::Capsule &j)
-{
-  const double a = i.segment.half_length + i.radius, b = j.segment.half_length + j.radius;
-  return 2.0 * a * b / (a * j.radius + b * i.radius);
-}
 
 // The models that LinearPairForces can stand in for.
 template <typename ContactModel>
@@ -134,35 +126,17 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
 
   LinearPairForces linear_;
   bool batched_ = false;  // the forces of a usual step are left to linear_
-  spherocylinder::LinearContacts contacts_{};
 
-  // What a contact needs of a rod's motion.
-  struct Motion {
-    spherocylinder::Vec3 velocity, omega;
-    spherocylinder::InverseInertia inverse;  // zero for a frozen rod
-  };
   // Of owned and ghost rods, gathered once a step: the contact loop reads them side by side.
   std::vector<spherocylinder::Capsule> rods_;
-  std::vector<Motion> motions_;
+  std::vector<RodMotion> motions_;
   CloseRodPairs close_pairs_;
   TouchingRodPairs touching_pairs_;
   using Touch = TouchingRodPairs::Touch;
 
-  // A contact's place, normal (unit, towards rod i), distance of the axes along it, overlap felt.
-  struct Geometry {
-    double s, t;
-    spherocylinder::Vec3 normal;
-    double distance, overlap;
-    double share;                 // of the stiffness, see RodContact
-    spherocylinder::Vec3 couple;  // on rod i, over the stiffness (m^2)
-  };
-
   int history_offset(const std::string &name) const;
   void read_rods(int frozen_bit, bool rebuilt);
-  spherocylinder::RodContact spread(const Touch &touch, double reach) const;
-  Geometry geometry_of(const Touch &touch, const double *side) const;
   bool single_contacts_wanted(PairGran &pair) const;
-  void compute_batched(PairGran &pair, int **first_flags, double **first_history);
   void compute_each(PairGran &pair, int **first_flags, double **first_history,
                     ComputeGranLocalSpherocylinder *local);
   void turn_spring(const SurfacesIntersectData &sidata) const;
@@ -170,62 +144,6 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
               ForceData &j_forces) const;
 };
-
-// Points of the partner's order.
-inline spherocylinder::ClosestPoints swapped(const spherocylinder::ClosestPoints &points)
-{
-  return {points.t, points.s, -points.delta, points.distance_squared};
-}
-
-// In the order of the rods' ids, so that all ranks that see a pair get the same bits.
-template <typename ContactModel>
-spherocylinder::RodContact GranularSpherocylinder<ContactModel>::spread(const Touch &touch,
-                                                                        double reach) const
-{
-  using namespace spherocylinder;
-  const Segment &i = rods_[touch.i].segment, &j = rods_[touch.j].segment;
-  if (atom->tag[touch.i] < atom->tag[touch.j]) return spread_contact(i, j, reach, touch.points);
-  const RodContact contact = spread_contact(j, i, reach, swapped(touch.points));
-  return {swapped(contact.points), contact.overlap, contact.share, -contact.couple};
-}
-
-// `side`: the normal of the last step, null without a history, zero for a new contact.
-//
-// The normal points along p - q. Where the pair was in contact before, it must not turn round:
-// p - q does so when two axes are driven past each other, and the distance then counts as negative,
-// so that the overlap goes on growing and the rods are pushed back the way they came. Where the
-// axes meet exactly the last normal serves, or without one the common perpendicular.
-template <typename ContactModel>
-typename GranularSpherocylinder<ContactModel>::Geometry
-GranularSpherocylinder<ContactModel>::geometry_of(const Touch &touch, const double *side) const
-{
-  using namespace spherocylinder;
-  const double reach = rods_[touch.i].radius + rods_[touch.j].radius;
-  const bool was_touching = side && (side[0] != 0.0 || side[1] != 0.0 || side[2] != 0.0);
-  const bool passed = was_touching && dot(touch.points.delta, load(side)) < 0.0;
-
-  RodContact contact{touch.points, passed ? reach + touch.distance : reach - touch.distance};
-  double distance = passed ? -touch.distance : touch.distance;
-  if (spread_contact_ && touch.nearly_parallel && !passed) {
-    contact = spread(touch, reach);
-    distance = std::sqrt(contact.points.distance_squared);
-  }
-
-  Vec3 normal;
-  if (distance != 0.0) {
-    normal = (1.0 / distance) * contact.points.delta;
-  } else if (was_touching) {
-    normal = load(side);
-  } else {
-    const Vec3 u = rods_[touch.i].segment.axis;
-    normal = cross(u, rods_[touch.j].segment.axis);
-    if (norm_squared(normal) == 0.0)
-      normal = std::fabs(u.x) < 0.5 ? cross(u, Vec3{1.0, 0.0, 0.0}) : cross(u, Vec3{0.0, 1.0, 0.0});
-    normal = (1.0 / norm(normal)) * normal;
-  }
-  return {contact.points.s, contact.points.t, normal, distance, contact.overlap,
-          contact.share, contact.couple};
-}
 
 // Where the models keep a value of this name; the stock ones do not all tell.
 template <typename ContactModel>
@@ -313,7 +231,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   auto *local = ComputeGranLocalSpherocylinder::collecting(pair->cpl(), update->ntimestep);
   if (local) local->begin_rows();
   if (batched_ && !local && !single_contacts_wanted(*pair))
-    compute_batched(*pair, first_flags, first_history);
+    linear_.compute(*pair, touching_pairs_, rods_, motions_, {side_offset_, spring_offset_},
+                    spread_contact_, monitor_);
   else
     compute_each(*pair, first_flags, first_history, local);
 
@@ -328,106 +247,6 @@ bool GranularSpherocylinder<ContactModel>::single_contacts_wanted(PairGran &pair
   return pair.evflag || !pair.computeflag() || !pair.shearupdate() || monitor_.rates() ||
          pair.store_sum_normal_force() || pair.storeContactForces() ||
          pair.storeContactForcesStress();
-}
-
-// model linear in batches.
-template <typename ContactModel>
-void GranularSpherocylinder<ContactModel>::compute_batched(PairGran &pair, int **first_flags,
-                                                           double **first_history)
-{
-  using namespace spherocylinder;
-  constexpr Vec3 kZero = {0.0, 0.0, 0.0};
-  const int dnum = pair.dnum(), nlocal = atom->nlocal;
-  const int *type = atom->type;
-  double **f = atom->f, **torque = atom->torque;
-  const bool remember = side_offset_ >= 0 && first_history;
-  const bool has_spring = spring_offset_ >= 0 && first_history;
-  LinearContacts &c = contacts_;
-
-  for (const CloseRodPairs::Entry &entry : touching_pairs_.parted()) {
-    first_flags[entry.i][entry.index] = 0;
-    if (!first_history) continue;
-    double *history = &first_history[entry.i][dnum * entry.index];
-    if (remember) store(kZero, history + side_offset_);
-    if (has_spring) store(kZero, history + spring_offset_);
-  }
-
-  const std::vector<Touch> &touching = touching_pairs_.touching();
-  for (size_t start = 0; start < touching.size(); start += kBatch) {
-    const int count = static_cast<int>(std::min<size_t>(kBatch, touching.size() - start));
-    for (int k = 0; k < count; k++) {
-      const Touch &touch = touching[start + k];
-      const int i = touch.i, j = touch.j;
-      const Capsule &rod_i = rods_[i], &rod_j = rods_[j];
-      const double *history = first_history ? &first_history[i][dnum * touch.index] : nullptr;
-      c.side.set(k, remember ? load(history + side_offset_) : kZero);
-      c.spring.set(k, has_spring ? load(history + spring_offset_) : kZero);
-
-      if (touch.distance == 0.0 || (spread_contact_ && touch.nearly_parallel)) {
-        const Geometry g = geometry_of(touch, remember ? history + side_offset_ : nullptr);
-        c.s[k] = g.s;
-        c.t[k] = g.t;
-        c.normal.set(k, g.normal);
-        c.distance[k] = g.distance;
-        c.overlap[k] = g.overlap;
-        c.share[k] = g.share;
-        c.couple.set(k, g.couple);
-        c.side.set(k, kZero);  // minded already
-      } else {
-        c.s[k] = touch.points.s;
-        c.t[k] = touch.points.t;
-        c.normal.set(k, (1.0 / touch.distance) * touch.points.delta);
-        c.distance[k] = touch.distance;
-        c.overlap[k] = rod_i.radius + rod_j.radius - touch.distance;
-        c.share[k] = 1.0;
-        c.couple.set(k, kZero);
-      }
-
-      const Motion &motion_i = motions_[i], &motion_j = motions_[j];
-      c.axis_i.set(k, rod_i.segment.axis);
-      c.axis_j.set(k, rod_j.segment.axis);
-      c.velocity_i.set(k, motion_i.velocity);
-      c.velocity_j.set(k, motion_j.velocity);
-      c.omega_i.set(k, motion_i.omega);
-      c.omega_j.set(k, motion_j.omega);
-      c.inverse_mass_i[k] = motion_i.inverse.mass;
-      c.inverse_mass_j[k] = motion_j.inverse.mass;
-      c.inverse_inertia_i[k] = motion_i.inverse.transverse;
-      c.inverse_inertia_j[k] = motion_j.inverse.transverse;
-      c.radius_i[k] = rod_i.radius;
-      c.radius_j[k] = rod_j.radius;
-      c.turning[k] =
-          rod_i.segment.half_length == 0.0 && rod_j.segment.half_length == 0.0 ? 0.0 : 1.0;
-      const double scale = linear_.aspect_scaling() ? mean_aspect_ratio(rod_i, rod_j) : 1.0;
-      linear_.set_material(c, k, type[i], type[j], scale);
-    }
-
-    linear_contacts(c, linear_.law());
-
-    for (int k = 0; k < count; k++) {
-      const Touch &touch = touching[start + k];
-      const int i = touch.i, j = touch.j;
-      if (c.inverse_mass[k] == 0.0) continue;  // both frozen: nothing to move
-      if (first_flags)
-        first_flags[i][touch.index] |= ContactModels::CONTACT_NORMAL_MODEL |
-                                       (has_spring ? ContactModels::CONTACT_TANGENTIAL_MODEL : 0);
-      if (first_history) {
-        double *history = &first_history[i][dnum * touch.index];
-        if (remember) store(c.side.get(k), history + side_offset_);
-        if (has_spring) store(c.spring.get(k), history + spring_offset_);
-      }
-      monitor_.look(i, j, c.stiffness[k], c.share[k] / c.inverse_mass[k], c.overlap[k],
-                    c.radius_i[k] + c.radius_j[k]);
-      const Vec3 force = c.force.get(k);
-      const double relax_i = pair.relax(i);
-      add_to(f[i], relax_i * force);
-      add_to(torque[i], relax_i * c.torque_i.get(k));
-      if (j >= nlocal) continue;
-      const double relax_j = pair.relax(j);
-      add_to(f[j], -relax_j * force);
-      add_to(torque[j], relax_j * c.torque_j.get(k));
-    }
-  }
 }
 
 // Any models, one contact after the other.
@@ -483,7 +302,8 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     sidata.omega_j = atom->omega[j];
 
     double *side = remember ? sidata.contact_history + side_offset_ : nullptr;
-    const Geometry contact = geometry_of(touch, side);
+    const RodPairGeometry contact =
+        geometry_of(touch, rods_, atom->tag, side, spread_contact_);
     sidata.deltan = contact.overlap;
     sidata.r = reach - contact.overlap;
     sidata.rsq = sidata.r * sidata.r;
@@ -495,7 +315,7 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     store(contact.distance * contact.normal, sidata.delta);
     if (side && sidata.computeflag && sidata.shearupdate) store(contact.normal, side);
 
-    const Motion &motion_i = motions_[i], &motion_j = motions_[j];
+    const RodMotion &motion_i = motions_[i], &motion_j = motions_[j];
     const Vec3 arm_i = contact.s * rod_i.segment.axis, arm_j = contact.t * rod_j.segment.axis;
     const Vec3 normal = contact.normal;
     store(velocity_half_a_step_ago(motion_i.velocity, motion_i.omega, arm_i, dt), velocity_i);

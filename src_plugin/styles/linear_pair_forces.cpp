@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "linear_pair_forces.h"
 
+#include <algorithm>
 #include <cstring>
 
+#include "atom.h"
 #include "contact_model_headers.h"
+#include "neigh_list.h"
+#include "pair_gran.h"
 #include "property_registry.h"
+#include "rod_pair_geometry.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using spherocylinder::Tangential;
+using namespace spherocylinder;
 
 bool LinearPairForces::understand(int nargs, char **args)
 {
@@ -38,4 +43,107 @@ void LinearPairForces::connect(PropertyRegistry &registry, Tangential tangential
   if (tangential != Tangential::Off) registry.connect("coeffFrict", friction_, "model linear");
   law_.tangential = tangential;
   law_.dt = update->dt;
+}
+
+void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
+                               const std::vector<Capsule> &rods,
+                               const std::vector<RodMotion> &motions, HistoryOffsets offsets,
+                               bool spread, ContactMonitor &monitor)
+{
+  int **first_flags = pair.listgranhistory ? pair.listgranhistory->firstneigh : nullptr;
+  double **first_history = pair.listgranhistory ? pair.listgranhistory->firstdouble : nullptr;
+  constexpr Vec3 kZero = {0.0, 0.0, 0.0};
+  const int dnum = pair.dnum(), nlocal = atom->nlocal;
+  const int *type = atom->type;
+  double **f = atom->f, **torque = atom->torque;
+  const bool remember = offsets.side >= 0 && first_history;
+  const bool has_spring = offsets.spring >= 0 && first_history;
+  const int flag = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |
+                   (has_spring ? LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL : 0);
+  LinearContacts &c = contacts_;
+
+  for (const CloseRodPairs::Entry &entry : pairs.parted()) {
+    first_flags[entry.i][entry.index] = 0;
+    if (!first_history) continue;
+    double *history = &first_history[entry.i][dnum * entry.index];
+    if (remember) store(kZero, history + offsets.side);
+    if (has_spring) store(kZero, history + offsets.spring);
+  }
+
+  const std::vector<TouchingRodPairs::Touch> &touching = pairs.touching();
+  for (size_t start = 0; start < touching.size(); start += kBatch) {
+    const int count = static_cast<int>(std::min<size_t>(kBatch, touching.size() - start));
+    for (int k = 0; k < count; k++) {
+      const TouchingRodPairs::Touch &touch = touching[start + k];
+      const int i = touch.i, j = touch.j;
+      const Capsule &rod_i = rods[i], &rod_j = rods[j];
+      const double *history = first_history ? &first_history[i][dnum * touch.index] : nullptr;
+      c.side.set(k, remember ? load(history + offsets.side) : kZero);
+      c.spring.set(k, has_spring ? load(history + offsets.spring) : kZero);
+
+      if (touch.distance == 0.0 || (spread && touch.nearly_parallel)) {
+        const RodPairGeometry g =
+            geometry_of(touch, rods, atom->tag, remember ? history + offsets.side : nullptr,
+                        spread);
+        c.s[k] = g.s;
+        c.t[k] = g.t;
+        c.normal.set(k, g.normal);
+        c.distance[k] = g.distance;
+        c.overlap[k] = g.overlap;
+        c.share[k] = g.share;
+        c.couple.set(k, g.couple);
+        c.side.set(k, kZero);  // minded already
+      } else {
+        c.s[k] = touch.points.s;
+        c.t[k] = touch.points.t;
+        c.normal.set(k, (1.0 / touch.distance) * touch.points.delta);
+        c.distance[k] = touch.distance;
+        c.overlap[k] = rod_i.radius + rod_j.radius - touch.distance;
+        c.share[k] = 1.0;
+        c.couple.set(k, kZero);
+      }
+
+      const RodMotion &motion_i = motions[i], &motion_j = motions[j];
+      c.axis_i.set(k, rod_i.segment.axis);
+      c.axis_j.set(k, rod_j.segment.axis);
+      c.velocity_i.set(k, motion_i.velocity);
+      c.velocity_j.set(k, motion_j.velocity);
+      c.omega_i.set(k, motion_i.omega);
+      c.omega_j.set(k, motion_j.omega);
+      c.inverse_mass_i[k] = motion_i.inverse.mass;
+      c.inverse_mass_j[k] = motion_j.inverse.mass;
+      c.inverse_inertia_i[k] = motion_i.inverse.transverse;
+      c.inverse_inertia_j[k] = motion_j.inverse.transverse;
+      c.radius_i[k] = rod_i.radius;
+      c.radius_j[k] = rod_j.radius;
+      c.turning[k] =
+          rod_i.segment.half_length == 0.0 && rod_j.segment.half_length == 0.0 ? 0.0 : 1.0;
+      const double scale = aspect_scaling_ ? mean_aspect_ratio(rod_i, rod_j) : 1.0;
+      set_material(c, k, type[i], type[j], scale);
+    }
+
+    linear_contacts(c, law_);
+
+    for (int k = 0; k < count; k++) {
+      const TouchingRodPairs::Touch &touch = touching[start + k];
+      const int i = touch.i, j = touch.j;
+      if (c.inverse_mass[k] == 0.0) continue;  // both frozen: nothing to move
+      if (first_flags) first_flags[i][touch.index] |= flag;
+      if (first_history) {
+        double *history = &first_history[i][dnum * touch.index];
+        if (remember) store(c.side.get(k), history + offsets.side);
+        if (has_spring) store(c.spring.get(k), history + offsets.spring);
+      }
+      monitor.look(i, j, c.stiffness[k], c.share[k] / c.inverse_mass[k], c.overlap[k],
+                   c.radius_i[k] + c.radius_j[k]);
+      const Vec3 force = c.force.get(k);
+      const double relax_i = pair.relax(i);
+      add_to(f[i], relax_i * force);
+      add_to(torque[i], relax_i * c.torque_i.get(k));
+      if (j >= nlocal) continue;
+      const double relax_j = pair.relax(j);
+      add_to(f[j], -relax_j * force);
+      add_to(torque[j], relax_j * c.torque_j.get(k));
+    }
+  }
 }

@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <vector>
+
+#include "core/contact_kinematics.h"
 #include "core/linear_contact.h"
 #include "pointers.h"
+#include "rod_contact.h"
+#include "touching_rod_pairs.h"
 
 class PropertyRegistry;
 
 namespace LAMMPS_NS {
+
+class PairGran;
+
+// What a contact needs of a rod's motion.
+struct RodMotion {
+  spherocylinder::Vec3 velocity, omega;
+  spherocylinder::InverseInertia inverse;  // zero for a frozen rod
+};
+
+// Where a pair's history keeps the remembered normal and the tangential spring, -1 if it does not.
+struct HistoryOffsets {
+  int side, spring;
+};
 
 // What model linear's keywords and properties come to, for the batched contact loop.
 //
@@ -23,10 +41,20 @@ class LinearPairForces : protected Pointers {
   bool understand(int nargs, char **args);
   void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential);
 
-  const spherocylinder::LinearLaw &law() const { return law_; }
+  // Adds the forces and torques of all touching pairs to their rods, and keeps the histories.
+  void compute(PairGran &pair, const TouchingRodPairs &pairs,
+               const std::vector<spherocylinder::Capsule> &rods,
+               const std::vector<RodMotion> &motions, HistoryOffsets offsets, bool spread,
+               ContactMonitor &monitor);
 
-  // Sets stiffness, damping and friction of contact k. `scale`: 1 or, with aspect_scaling, the
-  // harmonic mean of the aspect ratios.
+ private:
+  spherocylinder::LinearLaw law_{spherocylinder::Tangential::Off, true, false, 0.0};
+  bool aspect_scaling_ = false;
+  double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
+  spherocylinder::LinearContacts contacts_{};
+
+  // Stiffness, damping and friction of contact k. `scale`: 1 or, with aspect_scaling, the harmonic
+  // mean of the aspect ratios.
   void set_material(spherocylinder::LinearContacts &contacts, int k, int itype, int jtype,
                     double scale) const
   {
@@ -35,12 +63,6 @@ class LinearPairForces : protected Pointers {
     contacts.two_beta[k] = -2.0 * beta_[itype][jtype];
     contacts.friction[k] = friction_ ? friction_[itype][jtype] : 0.0;
   }
-  bool aspect_scaling() const { return aspect_scaling_; }
-
- private:
-  spherocylinder::LinearLaw law_{spherocylinder::Tangential::Off, true, false, 0.0};
-  bool aspect_scaling_ = false;
-  double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
 };
 
 }  // namespace LAMMPS_NS

@@ -47,6 +47,18 @@ void add_impulse(Rod &rod, double restitution)
   rod.omega.y += a * J / p.inertia_transverse;
 }
 
+// A floor without friction at z = 0, stiffness 1e6 N/m; a restitution for each atom type.
+std::string smooth_floor(const std::vector<double> &restitutions)
+{
+  const int types = static_cast<int>(restitutions.size());
+  return pair_property("kn", types, 1e6) + pair_property("kt", types, 1e6) +
+         pair_property("coefficientRestitution", types,
+                       [&](int i, int j) { return restitutions[std::max(i, j) - 1]; }) +
+         rod_pair("linear tangential off") +
+         rod_wall("floor", "linear tangential off", "type 1 zplane 0.0") +
+         "fix motion all nve/spherocylinder\n";
+}
+
 double difference(const Rod &got, const Rod &wanted)
 {
   return std::max(norm(got.velocity - wanted.velocity),
@@ -56,7 +68,7 @@ double difference(const Rod &got, const Rod &wanted)
 
 TEST_P(WallImpact, OffCentreWithoutFriction)
 {
-  const double restitutions[] = {1.0, 0.5, 0.2};
+  const std::vector<double> restitutions = {1.0, 0.5, 0.2};
   Scene scene;
   scene.types = 3;
   scene.box_lo[2] = -0.1;
@@ -73,12 +85,7 @@ TEST_P(WallImpact, OffCentreWithoutFriction)
         scene.rods.push_back(rod);
       }
   // Stiffness 1e6 N/m: the slowest contact (30 D upright, e = 0.2) lasts 0.9 ms.
-  scene.physics = pair_property("kn", 3, 1e6) + pair_property("kt", 3, 1e6) +
-                  pair_property("coefficientRestitution", 3,
-                                [&](int i, int j) { return restitutions[std::max(i, j) - 1]; }) +
-                  rod_pair("linear tangential off") +
-                  rod_wall("floor", "linear tangential off", "type 1 zplane 0.0") +
-                  "fix motion all nve/spherocylinder\n";
+  scene.physics = smooth_floor(restitutions);
   scene.dt = 3e-8;
   scene.steps = 40000;
 
@@ -185,7 +192,7 @@ TEST_P(WallImpact, EndAgainstTheInsideOfACylinder)
 // parts with e times its speed of approach and does not turn.
 TEST_P(WallImpact, FlatLanding)
 {
-  const double restitutions[] = {1.0, 0.9, 0.5, 0.2};
+  const std::vector<double> restitutions = {1.0, 0.9, 0.5, 0.2};
   Scene scene;
   scene.types = 4;
   scene.box_lo[2] = -0.1;
@@ -199,12 +206,7 @@ TEST_P(WallImpact, FlatLanding)
                       rod.radius() + kGap};
       scene.rods.push_back(rod);
     }
-  scene.physics = pair_property("kn", 4, 1e6) + pair_property("kt", 4, 1e6) +
-                  pair_property("coefficientRestitution", 4,
-                                [&](int i, int j) { return restitutions[std::max(i, j) - 1]; }) +
-                  rod_pair("linear tangential off") +
-                  rod_wall("floor", "linear tangential off", "type 1 zplane 0.0") +
-                  "fix motion all nve/spherocylinder\n";
+  scene.physics = smooth_floor(restitutions);
   scene.dt = 3e-8;
   scene.steps = 40000;
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "touching_rod_pairs.h"
+
+namespace LAMMPS_NS {
+
+// Where two touching rods push each other, and how deep. Space frame.
+struct RodPairGeometry {
+  double s, t;                  // of the contact's points on the axes of i and j (m)
+  spherocylinder::Vec3 normal;  // unit, towards rod i
+  double distance;              // of the points along it, negative once the axes have passed (m)
+  double overlap;               // that the contact feels (m)
+  double share;                 // of the stiffness, see spherocylinder::RodContact
+  spherocylinder::Vec3 couple;  // on rod i, over the stiffness (m^2)
+};
+
+// `side`: the normal of the last step, null without a history, zero for a new contact. `spread`: nearly
+// parallel rods are spread over (core/spread_contact.h).
+//
+// The normal points along p - q. Where the pair was in contact before, it must not turn round:
+// p - q does so when two axes are driven past each other, and the distance then counts as negative,
+// so that the overlap goes on growing and the rods are pushed back the way they came. Where the
+// axes meet exactly the last normal serves, or without one the common perpendicular.
+RodPairGeometry geometry_of(const TouchingRodPairs::Touch &touch,
+                            const std::vector<spherocylinder::Capsule> &rods, const int *tag,
+                            const double *side, bool spread);
+
+// Of two rods' aspect ratios, the harmonic mean: as of two springs in series.
+inline double mean_aspect_ratio(const spherocylinder::Capsule &i, const spherocylinder::Capsule &j)
+{
+  const double a = i.segment.half_length + i.radius, b = j.segment.half_length + j.radius;
+  return 2.0 * a * b / (a * j.radius + b * i.radius);
+}
+
+}  // namespace LAMMPS_NS
