@@ -88,7 +88,7 @@ void elastic_meetings(bool spread, double tilts, double speed)
 }
 
 // Five rods lie on each other between two smooth walls one diameter apart, or, elastic, are let go
-// 10^-4 m above each other.
+// half a diameter above each other.
 Scene stack(bool spread, double restitution, double friction, double gap)
 {
   Scene scene;
@@ -117,7 +117,7 @@ Scene stack(bool spread, double restitution, double friction, double gap)
   return scene;
 }
 
-// Kinetic and potential energy and that of the springs, which are told by the heights.
+// Kinetic and potential energy; that of the springs is not in it.
 double height_energy(const std::vector<Rod> &rods)
 {
   double energy = kinetic_energy(rods);

@@ -7,7 +7,7 @@
 namespace spherocylinder {
 
 // Velocity of the rod's material point at centre + arm (m/s, space frame).
-inline Vec3 velocity_at(const Vec3 &velocity, const Vec3 &omega, const Vec3 &arm)
+SPHEROCYLINDER_INLINE Vec3 velocity_at(const Vec3 &velocity, const Vec3 &omega, const Vec3 &arm)
 {
   return velocity + cross(omega, arm);
 }
@@ -16,8 +16,8 @@ inline Vec3 velocity_at(const Vec3 &velocity, const Vec3 &omega, const Vec3 &arm
 // with the positions of its end. With the arm of the end, two rods that turn together at W would
 // seem to slip at W^2 dt/2 times the distance of their centres across the normal, and a contact at
 // rest in the turning frame would load its spring without end.
-inline Vec3 velocity_half_a_step_ago(const Vec3 &velocity, const Vec3 &omega, const Vec3 &arm,
-                                     double dt)
+SPHEROCYLINDER_INLINE Vec3 velocity_half_a_step_ago(const Vec3 &velocity, const Vec3 &omega,
+                                                    const Vec3 &arm, double dt)
 {
   return velocity_at(velocity, omega, arm - 0.5 * dt * cross(omega, arm));
 }
@@ -32,8 +32,8 @@ struct InverseInertia {
 // vector `normal` per unit force along it. For a point on the axis a x n is at right angles to the
 // axis, so that only the transverse inertia takes part. The effective mass of a contact is the
 // inverse of the sum over its two bodies; a wall adds nothing.
-inline double inverse_effective_mass(const InverseInertia &inverse, const Vec3 &arm_on_axis,
-                                     const Vec3 &normal)
+SPHEROCYLINDER_INLINE double inverse_effective_mass(const InverseInertia &inverse,
+                                                    const Vec3 &arm_on_axis, const Vec3 &normal)
 {
   return inverse.mass + inverse.transverse * norm_squared(cross(arm_on_axis, normal));
 }

@@ -3,16 +3,11 @@
 
 #include <cmath>
 
+#include "contact_kinematics.h"
+
 namespace spherocylinder {
 
 namespace {
-
-// Velocity of a point at `arm` half a step ago, as velocity and omega are (contact_kinematics.h).
-SPHEROCYLINDER_INLINE Vec3 velocity_at_point(const Vec3 &velocity, const Vec3 &omega,
-                                             const Vec3 &arm, double half_step)
-{
-  return velocity + cross(omega, arm - half_step * cross(omega, arm));
-}
 
 template <Tangential tangential, bool tangential_damping, bool limit_force>
 SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
@@ -29,13 +24,13 @@ SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
 
     const Vec3 arm_i = c.s[k] * c.axis_i.get(k), arm_j = c.t[k] * c.axis_j.get(k);
     const Vec3 omega_i = c.omega_i.get(k), omega_j = c.omega_j.get(k);
-    const Vec3 between = velocity_at_point(c.velocity_i.get(k), omega_i, arm_i, 0.5 * dt) -
-                         velocity_at_point(c.velocity_j.get(k), omega_j, arm_j, 0.5 * dt);
+    const Vec3 between = velocity_half_a_step_ago(c.velocity_i.get(k), omega_i, arm_i, dt) -
+                         velocity_half_a_step_ago(c.velocity_j.get(k), omega_j, arm_j, dt);
     const double vn = dot(between, n);
 
     const double inverse_mass =
-        c.inverse_mass_i[k] + c.inverse_inertia_i[k] * norm_squared(cross(arm_i, n)) +
-        c.inverse_mass_j[k] + c.inverse_inertia_j[k] * norm_squared(cross(arm_j, n));
+        inverse_effective_mass({c.inverse_mass_i[k], c.inverse_inertia_i[k]}, arm_i, n) +
+        inverse_effective_mass({c.inverse_mass_j[k], c.inverse_inertia_j[k]}, arm_j, n);
     const double kn = c.stiffness[k], kt = c.tangential_stiffness[k];
     const double root = c.two_beta[k] * std::sqrt(c.share[k] / inverse_mass);
     double Fn = kn * overlap - root * std::sqrt(kn) * vn;

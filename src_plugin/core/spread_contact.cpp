@@ -103,7 +103,7 @@ RodContact spread_contact(const Segment &i, const Segment &j, double reach,
     return {closest, overlap};
 
   const double squared_sine = norm_squared(cross(i.axis, j.axis));
-  // q^2 = lengths sin^2 (1/overlap + deep^2 overlap), deep = 1/(kDeep reach).
+  // q^2 = lengths sin^2 (1 + deep^2)/overlap.
   const double shorter = std::min(i.half_length, j.half_length);
   const double lengths = shorter * shorter / (2.0 * reach);
   const double deep = overlap / (kDeep * reach);

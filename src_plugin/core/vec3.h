@@ -33,12 +33,10 @@ SPHEROCYLINDER_INLINE Vec3 operator*(double s, const Vec3 &a)
   return {s * a.x, s * a.y, s * a.z};
 }
 
-
 SPHEROCYLINDER_INLINE double dot(const Vec3 &a, const Vec3 &b)
 {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-
 
 SPHEROCYLINDER_INLINE Vec3 cross(const Vec3 &a, const Vec3 &b)
 {

@@ -42,7 +42,47 @@ void LinearPairForces::connect(PropertyRegistry &registry, Tangential tangential
   friction_ = nullptr;
   if (tangential != Tangential::Off) registry.connect("coeffFrict", friction_, "model linear");
   law_.tangential = tangential;
-  law_.dt = update->dt;
+}
+
+void LinearPairForces::set_place(int k, const RodPairGeometry &place)
+{
+  LinearContacts &c = contacts_;
+  c.s[k] = place.s;
+  c.t[k] = place.t;
+  c.normal.set(k, place.normal);
+  c.distance[k] = place.distance;
+  c.overlap[k] = place.overlap;
+  c.share[k] = place.share;
+  c.couple.set(k, place.couple);
+}
+
+void LinearPairForces::set_rods(int k, const Capsule &rod_i, const RodMotion &motion_i,
+                                const Capsule &rod_j, const RodMotion &motion_j)
+{
+  LinearContacts &c = contacts_;
+  c.axis_i.set(k, rod_i.segment.axis);
+  c.axis_j.set(k, rod_j.segment.axis);
+  c.velocity_i.set(k, motion_i.velocity);
+  c.velocity_j.set(k, motion_j.velocity);
+  c.omega_i.set(k, motion_i.omega);
+  c.omega_j.set(k, motion_j.omega);
+  c.inverse_mass_i[k] = motion_i.inverse.mass;
+  c.inverse_mass_j[k] = motion_j.inverse.mass;
+  c.inverse_inertia_i[k] = motion_i.inverse.transverse;
+  c.inverse_inertia_j[k] = motion_j.inverse.transverse;
+  c.radius_i[k] = rod_i.radius;
+  c.radius_j[k] = rod_j.radius;
+  // Two spheres keep LIGGGHTS's spring, so that they move as its own do.
+  const bool spheres = rod_i.segment.half_length == 0.0 && rod_j.segment.half_length == 0.0;
+  c.turning[k] = spheres ? 0.0 : 1.0;
+}
+
+void LinearPairForces::set_material(int k, int itype, int jtype, double scale)
+{
+  contacts_.stiffness[k] = scale * kn_[itype][jtype];
+  contacts_.tangential_stiffness[k] = scale * kt_[itype][jtype];
+  contacts_.two_beta[k] = -2.0 * beta_[itype][jtype];
+  contacts_.friction[k] = friction_ ? friction_[itype][jtype] : 0.0;
 }
 
 void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
@@ -61,6 +101,7 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
   const int flag = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |
                    (has_spring ? LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL : 0);
   LinearContacts &c = contacts_;
+  law_.dt = update->dt;  // a fix may change it during a run
 
   for (const CloseRodPairs::Entry &entry : pairs.parted()) {
     first_flags[entry.i][entry.index] = 0;
@@ -81,45 +122,17 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
       c.side.set(k, remember ? load(history + offsets.side) : kZero);
       c.spring.set(k, has_spring ? load(history + offsets.spring) : kZero);
 
+      // Few contacts need more than their closest points; what geometry_of gives minds the side.
       if (touch.distance == 0.0 || (spread && touch.nearly_parallel)) {
-        const RodPairGeometry g =
-            geometry_of(touch, rods, atom->tag, remember ? history + offsets.side : nullptr,
-                        spread);
-        c.s[k] = g.s;
-        c.t[k] = g.t;
-        c.normal.set(k, g.normal);
-        c.distance[k] = g.distance;
-        c.overlap[k] = g.overlap;
-        c.share[k] = g.share;
-        c.couple.set(k, g.couple);
-        c.side.set(k, kZero);  // minded already
+        set_place(k, geometry_of(touch, rods, atom->tag,
+                                 remember ? history + offsets.side : nullptr, spread));
+        c.side.set(k, kZero);
       } else {
-        c.s[k] = touch.points.s;
-        c.t[k] = touch.points.t;
-        c.normal.set(k, (1.0 / touch.distance) * touch.points.delta);
-        c.distance[k] = touch.distance;
-        c.overlap[k] = rod_i.radius + rod_j.radius - touch.distance;
-        c.share[k] = 1.0;
-        c.couple.set(k, kZero);
+        set_place(k, closest_geometry(touch, rod_i.radius + rod_j.radius));
       }
-
-      const RodMotion &motion_i = motions[i], &motion_j = motions[j];
-      c.axis_i.set(k, rod_i.segment.axis);
-      c.axis_j.set(k, rod_j.segment.axis);
-      c.velocity_i.set(k, motion_i.velocity);
-      c.velocity_j.set(k, motion_j.velocity);
-      c.omega_i.set(k, motion_i.omega);
-      c.omega_j.set(k, motion_j.omega);
-      c.inverse_mass_i[k] = motion_i.inverse.mass;
-      c.inverse_mass_j[k] = motion_j.inverse.mass;
-      c.inverse_inertia_i[k] = motion_i.inverse.transverse;
-      c.inverse_inertia_j[k] = motion_j.inverse.transverse;
-      c.radius_i[k] = rod_i.radius;
-      c.radius_j[k] = rod_j.radius;
-      c.turning[k] =
-          rod_i.segment.half_length == 0.0 && rod_j.segment.half_length == 0.0 ? 0.0 : 1.0;
+      set_rods(k, rod_i, motions[i], rod_j, motions[j]);
       const double scale = aspect_scaling_ ? mean_aspect_ratio(rod_i, rod_j) : 1.0;
-      set_material(c, k, type[i], type[j], scale);
+      set_material(k, type[i], type[j], scale);
     }
 
     linear_contacts(c, law_);

@@ -14,6 +14,7 @@ class PropertyRegistry;
 namespace LAMMPS_NS {
 
 class PairGran;
+struct RodPairGeometry;
 
 // What a contact needs of a rod's motion.
 struct RodMotion {
@@ -53,16 +54,12 @@ class LinearPairForces : protected Pointers {
   double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
   spherocylinder::LinearContacts contacts_{};
 
-  // Stiffness, damping and friction of contact k. `scale`: 1 or, with aspect_scaling, the harmonic
-  // mean of the aspect ratios.
-  void set_material(spherocylinder::LinearContacts &contacts, int k, int itype, int jtype,
-                    double scale) const
-  {
-    contacts.stiffness[k] = scale * kn_[itype][jtype];
-    contacts.tangential_stiffness[k] = scale * kt_[itype][jtype];
-    contacts.two_beta[k] = -2.0 * beta_[itype][jtype];
-    contacts.friction[k] = friction_ ? friction_[itype][jtype] : 0.0;
-  }
+  // What goes into contact k of the batch. `scale`: 1 or, with aspect_scaling, the harmonic mean of
+  // the aspect ratios.
+  void set_place(int k, const RodPairGeometry &place);
+  void set_rods(int k, const spherocylinder::Capsule &rod_i, const RodMotion &motion_i,
+                const spherocylinder::Capsule &rod_j, const RodMotion &motion_j);
+  void set_material(int k, int itype, int jtype, double scale);
 };
 
 }  // namespace LAMMPS_NS

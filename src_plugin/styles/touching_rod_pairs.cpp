@@ -39,6 +39,7 @@ void TouchingRodPairs::find(const std::vector<CloseRodPairs::Entry> &close,
         continue;
       }
       if (swapped[k]) points = {points.t, points.s, -points.delta, points.distance_squared};
+      // Where the batch is uncertain, spread_contact is to look for itself.
       touching_.push_back({entry.i, entry.j, entry.index, points,
                            std::sqrt(points.distance_squared),
                            batch_.uncertain[k] != 0.0 || batch_.nearly_parallel[k] != 0.0});
