@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How the plug-in enters a stock LIGGGHTS. libliggghts calls its own exported functions through
 // its procedure linkage table, so that a library found earlier in symbol look-up (this one, linked
-// before it or named in LD_PRELOAD) stands in front of them. Two functions are enough:
+// before it or named in LD_PRELOAD) stands in front of them. Three functions are enough:
 //   LAMMPS::post_create  runs after construction and after the `clear` command
 //   Atom::new_avec       is asked for every atom style
-// Both call the original and add to it.
+//   Finish::end          prints the statistics after a run
+// All call the original and add to it.
 #include <dlfcn.h>
 
 #include <cstdio>
@@ -13,9 +14,11 @@
 
 #include "atom.h"
 #include "error.h"
+#include "finish.h"
 #include "host_version.h"
 #include "lammps.h"
 #include "style_table.h"
+#include "styles/rod_pair_report.h"
 #include "universe.h"
 
 #define EXPORT __attribute__((visibility("default")))
@@ -88,6 +91,15 @@ EXPORT AtomVec *Atom::new_avec(const char *style, char *suffix, int &sflag)
     return ours;
   }
   return original(this, style, suffix, sflag);
+}
+
+// `run ... post no` asks for the loop time alone, flag 0.
+EXPORT void Finish::end(int flag)
+{
+  using End = void (*)(Finish *, int);
+  static const auto original = next_symbol<End>("_ZN9LAMMPS_NS6Finish3endEi");
+  original(this, flag);
+  if (flag) report_rod_pairs(lmp);
 }
 
 }  // namespace LAMMPS_NS

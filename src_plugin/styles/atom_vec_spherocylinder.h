@@ -18,6 +18,7 @@ AtomStyle(spherocylinder, AtomVecSpherocylinder)
 namespace LAMMPS_NS {
 
 class RodInsertionList;
+struct RodPairCounts;
 
 // Rods: one atom is one sphero-cylinder.
 //
@@ -76,6 +77,9 @@ class AtomVecSpherocylinder : public AtomVec {
   // Largest overlap of any contact, walls included, over the (mean) diameter of its rods, since
   // the run began; this rank's contacts.
   double largest_overlap = 0.0;
+
+  // Of the pair style's lists, null without one.
+  const RodPairCounts *pair_counts = nullptr;
 
   // Filled by the contacts while a fix has it active.
   ContactRates &contact_rates() { return contact_rates_; }

@@ -4,79 +4,174 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atom.h"
+#include "comm.h"
+#include "core/skin.h"
 #include "neigh_list.h"
+#include "pair_gran.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
 namespace {
 
-// Skin in diameters of the thickest rod at hand. A wider one is renewed less often and holds more
-// pairs; in settled beds about 4.6 neighbours a rod are nearer than 0.3 diameters and 3 touch.
-constexpr double kSkinInDiameters = 0.4;
+// Skins to begin with, in diameters of the thickest rod.
+constexpr double kFirstSkin = 0.3;
+constexpr double kFirstListSkin = 1.5;
+// Where chosen: bounds, and the steps between two choices.
+constexpr double kThinnest = 0.05, kWidest = 1.0;
+constexpr double kNarrowestBeyond = 0.5, kWidestBeyond = 4.0;
+constexpr int64_t kStepsToChoose = 1000;
+
+// What the parts cost, in nanoseconds on the machine they were measured on; their ratios are what
+// counts. A close pair is gathered and its closest points found, every step; a refresh of the close
+// pairs walks along the list and finds the closest points of the pairs of rods that moved; a renewal of
+// the list is some 20 times the work of listing a pair.
+constexpr double kTestCost = 15.0, kWalkCost = 1.5, kLookCost = 30.0, kRenewalCost = 200.0;
 
 }  // namespace
 
-// Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about
-// the axis moves no surface.
-bool CloseRodPairs::mark_moved(const std::vector<Capsule> &rods)
+void CloseRodPairs::reset(const PairGran &pair, double skin)
 {
-  bool any = false;
-  const double half_skin = 0.5 * skin_;
-  for (size_t i = 0; i < rods.size(); i++) {
-    const Segment &now = rods[i].segment, &then = reference_[i].segment;
-    const double shift =
-        norm(now.centre - then.centre) + now.half_length * norm(now.axis - then.axis);
-    moved_[i] = shift > half_skin;
-    if (!moved_[i]) continue;
-    reference_[i] = rods[i];
-    any = true;
-  }
-  return any;
+  list_.take_over(pair);
+  counts_ = RodPairCounts();
+  work_ = Work();
+  skin_is_chosen_ = skin == 0.0;
+  if (!skin_is_chosen_) skin_ = skin;
+}
+
+// Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about
+// the axis moves no surface. (a + b)^2 <= 2 a^2 + 2 b^2 saves the roots. `beyond`: the rod may use up
+// its half of the outer skin before it is looked at again.
+bool CloseRodPairs::mark_if_moved(int i, const Capsule &rod, bool &beyond)
+{
+  const auto twice_shift_squared = [](const Segment &now, const Segment &then) {
+    return 2.0 * (norm_squared(now.centre - then.centre) +
+                  now.half_length * now.half_length * norm_squared(now.axis - then.axis));
+  };
+  const double half = 0.5 * skin_;
+  moved_[i] = twice_shift_squared(rod.segment, reference_[i].segment) > half * half;
+  if (!moved_[i]) return false;
+  reference_[i] = rod;
+  const double rest = 0.5 * (list_skin_ - skin_);
+  beyond |= twice_shift_squared(rod.segment, list_reference_[i]) > rest * rest;
+  return true;
+}
+
+// False if the outer list has to be renewed.
+bool CloseRodPairs::look(PairGran &pair, const std::vector<Capsule> &rods)
+{
+  bool any = false, beyond = false;
+  const int owned = atom->nlocal;
+  for (int i = 0; i < owned; i++) any |= mark_if_moved(i, rods[i], beyond);
+  for (const int i : tracked_ghosts_) any |= mark_if_moved(i, rods[i], beyond);
+  if (beyond) return false;
+  if (work_.steps >= kStepsToChoose && choose_skins()) return false;
+  if (!any) return true;
+  work_.looked_at += walk(pair);
+  work_.walked += list_.pairs();
+  counts_.refreshes++;
+  return true;
+}
+
+void CloseRodPairs::count_step()
+{
+  work_.steps++;
+  work_.tested += static_cast<int64_t>(entries_.size());
+  counts_.steps++;
+  counts_.close = static_cast<int64_t>(entries_.size());
 }
 
 bool CloseRodPairs::is_close(int i, int j) const
 {
   const Segment &a = reference_[i].segment, &b = reference_[j].segment;
   const double reach = reference_[i].radius + reference_[j].radius + skin_;
-  const double bound = reach + a.half_length + b.half_length;
-  if (norm_squared(a.centre - b.centre) >= bound * bound) return false;
   if (lines_are_apart(a, b, reach)) return false;
   return closest_points(a, b).distance_squared < reach * reach;
 }
 
-void CloseRodPairs::update(const NeighList &list, int **contact_flags,
-                           const std::vector<Capsule> &rods, bool rebuilt)
+// Looks again at the pairs of rods that have moved, and says how many. entries_ is in the order of the
+// list: both are walked at once. Pairs with a contact flag are always kept: their parting must be seen.
+int64_t CloseRodPairs::walk(PairGran &pair)
 {
-  if (rebuilt) {
-    entries_.clear();
-    reference_ = rods;
-    moved_.assign(rods.size(), 1);
-    double thickest = 0.0;
-    for (const Capsule &rod : rods) thickest = std::max(thickest, 2.0 * rod.radius);
-    skin_ = kSkinInDiameters * thickest;
-  } else if (!mark_moved(rods)) {
-    return;
-  }
-
-  // entries_ is in the order of LIGGGHTS's list: walk both at once.
+  const NeighList &list = *pair.list;
+  int **contact_flags = list.listgranhistory ? list.listgranhistory->firstneigh : nullptr;
   next_entries_.clear();
+  int64_t looked_at = 0;
   size_t old = 0;
-  for (int ii = 0; ii < list.inum; ii++) {
-    const int i = list.ilist[ii];
+  for (int i = 0; i < list.inum; i++) {
     const int *neighbours = list.firstneigh[i];
     const int count = list.numneigh[i];
     const bool moved_i = moved_[i];
     for (int index = 0; index < count; index++) {
-      const int j = neighbours[index] & NEIGHMASK;
+      const int j = neighbours[index];
       const bool was_close =
           old < entries_.size() && entries_[old].i == i && entries_[old].index == index;
       old += was_close;
       bool close = was_close;
-      if (moved_i || moved_[j])
+      if (moved_i || moved_[j]) {
+        looked_at++;
         close = (contact_flags && contact_flags[i][index]) || is_close(i, j);
+      }
       if (close) next_entries_.push_back({i, j, index});
     }
   }
   entries_.swap(next_entries_);
+  return looked_at;
+}
+
+void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool migrated)
+{
+  diameter_ = 0.0;
+  for (const Capsule &rod : rods) diameter_ = std::max(diameter_, 2.0 * rod.radius);
+  if (list_skin_ == 0.0) {
+    if (skin_is_chosen_) skin_ = kFirstSkin * diameter_;
+    list_skin_ = kFirstListSkin * diameter_;
+  }
+  list_skin_ = std::max(list_skin_, skin_ + kNarrowestBeyond * diameter_);
+
+  list_.renew(pair, rods, list_skin_, migrated);
+  if (comm->nprocs == 1) {
+    tracked_ghosts_ = list_.ghosts();
+  } else {
+    tracked_ghosts_.resize(atom->nghost);
+    for (int k = 0; k < atom->nghost; k++) tracked_ghosts_[k] = atom->nlocal + k;
+  }
+
+  reference_ = rods;
+  list_reference_.resize(rods.size());
+  for (size_t i = 0; i < rods.size(); i++) list_reference_[i] = rods[i].segment;
+  moved_.assign(rods.size(), 1);
+  entries_.clear();
+  walk(pair);
+  // What LIGGGHTS asks for does not depend on the skin.
+  if (!migrated) work_.listed += list_.pairs();
+
+  counts_.renewals++;
+  counts_.listed = list_.pairs();
+  counts_.list_skin = list_skin_;
+  counts_.close_skin = skin_;
+}
+
+// True if a skin is to change by more than a tenth.
+bool CloseRodPairs::choose_skins()
+{
+  const double walk_cost = kWalkCost * static_cast<double>(work_.walked);
+  const double refresh_cost = walk_cost + kLookCost * static_cast<double>(work_.looked_at);
+  const double test_cost = kTestCost * static_cast<double>(work_.tested);
+  const double renewal_cost = kRenewalCost * static_cast<double>(work_.listed);
+  work_ = Work();
+
+  double skin = skin_;
+  if (skin_is_chosen_)
+    skin = std::clamp(better_skin(skin_, 0.0, diameter_, test_cost, refresh_cost),
+                      kThinnest * diameter_, kWidest * diameter_);
+  const double list_skin =
+      std::clamp(better_skin(list_skin_, skin_, diameter_, refresh_cost, renewal_cost),
+                 skin + kNarrowestBeyond * diameter_, skin + kWidestBeyond * diameter_);
+  if (std::fabs(skin - skin_) <= 0.1 * skin_ && std::fabs(list_skin - list_skin_) <= 0.1 * list_skin_)
+    return false;
+  skin_ = skin;
+  list_skin_ = list_skin;
+  return true;
 }

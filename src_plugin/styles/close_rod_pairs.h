@@ -1,45 +1,93 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/closest_points.h"
+#include "rod_pair_list.h"
 
 namespace LAMMPS_NS {
 
-class NeighList;
+// What the lists of rod pairs held and cost since the run began, of this rank.
+struct RodPairCounts {
+  int64_t steps = 0;
+  int64_t listed = 0;     // pairs in the list, at the last step
+  int64_t close = 0;      // of these, tested at the last step
+  int64_t touching = 0;   // of these, in contact at the last step
+  int64_t renewals = 0;   // of the list, those that follow LIGGGHTS's own included
+  int64_t refreshes = 0;  // of the close pairs: steps in which some rod had moved through the skin
+  double list_skin = 0.0, close_skin = 0.0;  // m, at the last step
+};
 
-// The pairs of LIGGGHTS's neighbour list whose surfaces are near.
+// The pairs whose surfaces are near enough to be tested in a step: the inner of two lists.
 //
-// LIGGGHTS lists pairs whose bounding spheres are near: for long rods tens of times more than
-// touch. This list keeps those whose surfaces, at the rods' reference poses, are nearer than a
-// skin. It stays complete while no surface point of a rod has moved more than half the skin from
-// the rod's reference pose; a rod that has gets a new reference pose, and only its own pairs are
-// looked at again. All of that is local: no communication, and contact histories stay where
-// LIGGGHTS keeps them. The order of the pairs is that of LIGGGHTS's list, so that sums of forces
-// do not depend on when a rod was looked at.
-class CloseRodPairs {
+// The outer one (RodPairList) holds, with their contact histories, all pairs nearer than a wide skin
+// when it was made; this one those nearer than a narrow skin at the rods' reference poses. It stays
+// complete while no surface point of a rod has moved more than half the skin from the rod's reference
+// pose; a rod that has gets a new reference pose, and only its own pairs are looked at again. Once
+// such a rod may have used up its half of the outer skin, the outer list is made again. All of that is
+// local: no communication. The order of the pairs is that of the outer list, by indices, so
+// that sums of forces depend neither on the skins nor on when a rod was looked at.
+class CloseRodPairs : protected Pointers {
  public:
   struct Entry {
     int i, j;
     int index;  // of j among the neighbours of i in LIGGGHTS's list
   };
 
-  // Brings the list up to date. `rods`: all owned and ghost rods; `rebuilt`: LIGGGHTS's list is a
-  // new one. Pairs with a contact flag are always kept.
-  void update(const NeighList &list, int **contact_flags,
-              const std::vector<spherocylinder::Capsule> &rods, bool rebuilt);
+  explicit CloseRodPairs(LAMMPS *lmp) : Pointers(lmp), list_(lmp) {}
+
+  // At the start of a run, when the pair style has asked for its lists. `skin`: of the close pairs (m), 0: to be chosen from what it costs.
+  void reset(const PairGran &pair, double skin);
+
+  // Brings both lists up to date; `read(all)` is asked for the present poses in `rods`, of all rods or
+  // only of tracked ones. `migrated`: LIGGGHTS has moved rods between ranks and chosen ghosts anew.
+  template <typename Read>
+  void update(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, bool migrated,
+              Read read)
+  {
+    read(migrated);
+    if (migrated || !look(pair, rods)) {
+      if (!migrated) read(true);
+      renew(pair, rods, migrated);
+    }
+    count_step();
+  }
 
   const std::vector<Entry> &entries() const { return entries_; }
 
- private:
-  double skin_ = 0.0;  // m
-  std::vector<spherocylinder::Capsule> reference_;
-  std::vector<char> moved_;
-  std::vector<Entry> entries_, next_entries_;
+  // Ghosts whose poses matter between two renewals. Of the others, one rank alone may know nothing:
+  // they are images of its own rods, whose movement it sees.
+  const std::vector<int> &tracked_ghosts() const { return tracked_ghosts_; }
 
-  bool mark_moved(const std::vector<spherocylinder::Capsule> &rods);
+  RodPairCounts &counts() { return counts_; }
+
+ private:
+  RodPairList list_;
+  bool skin_is_chosen_ = true;
+  double diameter_ = 0.0;                 // of the thickest rod (m)
+  double skin_ = 0.0, list_skin_ = 0.0;   // m
+  std::vector<spherocylinder::Capsule> reference_;      // of the close pairs
+  std::vector<spherocylinder::Segment> list_reference_;  // of the outer list
+  std::vector<char> moved_;
+  std::vector<int> tracked_ghosts_;
+  std::vector<Entry> entries_, next_entries_;
+  RodPairCounts counts_;
+
+  // What was done since the skins were chosen: pairs tested, in steps; pairs of the list walked along
+  // and looked at, in refreshes; pairs listed, in renewals.
+  struct Work {
+    int64_t steps = 0, tested = 0, walked = 0, looked_at = 0, listed = 0;
+  } work_;
+
+  bool look(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);
+  bool mark_if_moved(int i, const spherocylinder::Capsule &rod, bool &beyond);
+  void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, bool migrated);
+  int64_t walk(PairGran &pair);
+  void count_step();
   bool is_close(int i, int j) const;
+  bool choose_skins();
 };
 
 }  // namespace LAMMPS_NS

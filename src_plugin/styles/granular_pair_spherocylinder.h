@@ -4,6 +4,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <type_traits>
 #include <vector>
@@ -51,8 +53,19 @@ template <typename ContactModel>
 class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
  public:
   GranularSpherocylinder(LAMMPS *lmp, PairGran *parent, const int64_t hash)
-      : Pointers(lmp), parent_(parent), model_(lmp, parent, false, hash), monitor_(lmp), linear_(lmp)
+      : Pointers(lmp),
+        parent_(parent),
+        model_(lmp, parent, false, hash),
+        monitor_(lmp),
+        linear_(lmp),
+        close_pairs_(lmp)
   {
+  }
+
+  ~GranularSpherocylinder() override
+  {
+    auto *rods = dynamic_cast<AtomVecSpherocylinder *>(atom->avec);
+    if (rods && rods->pair_counts == &close_pairs_.counts()) rods->pair_counts = nullptr;
   }
 
   int64_t hashcode() override { return model_.hashcode(); }
@@ -62,10 +75,12 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     Settings settings(lmp);
     model_.registerSettings(settings);
     settings.registerOnOff("spread_contact", spread_contact_, true);
-    const bool understood = settings.parseArguments(nargs, args);
+    std::vector<char *> others = take_close_skin(nargs, args);
+    const int n_others = static_cast<int>(others.size());
+    const bool understood = settings.parseArguments(n_others, others.data());
     model_.postSettings(hsetup);
     if (!understood) error->all(FLERR, settings.error_message.c_str());
-    batched_ = BatchedLinear<ContactModel>::value && linear_.understand(nargs, args);
+    batched_ = BatchedLinear<ContactModel>::value && linear_.understand(n_others, others.data());
     has_settings_ = true;
   }
 
@@ -83,6 +98,8 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(model_);
     if (batched_) linear_.connect(force->registry, BatchedLinear<ContactModel>::kTangential);
+    close_pairs_.reset(*parent_, close_skin_);
+    rods.pair_counts = &close_pairs_.counts();
   }
 
   void write_restart_settings(FILE *fp) override
@@ -119,6 +136,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   ContactMonitor monitor_;
   bool spread_contact_ = true;  // continuous rule for nearly parallel rods
   bool has_tangential_ = false;
+  double close_skin_ = 0.0;    // of the close pairs (m), 0: chosen automatically
   bool has_settings_ = false;  // false for a pair style made by read_restart
   // Where a pair's history keeps the remembered normal and the tangential spring, -1 if it does not.
   int side_offset_ = -1;
@@ -134,8 +152,11 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   TouchingRodPairs touching_pairs_;
   using Touch = TouchingRodPairs::Touch;
 
+  std::vector<char *> take_close_skin(int nargs, char **args);
   int history_offset(const std::string &name) const;
-  void read_rods(int frozen_bit, bool rebuilt);
+  void read_rod(int i);
+  void read_rods(bool all);
+  void read_masses(int frozen_bit);
   bool single_contacts_wanted(PairGran &pair) const;
   void compute_each(PairGran &pair, int **first_flags, double **first_history,
                     ComputeGranLocalSpherocylinder *local);
@@ -144,6 +165,28 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
               ForceData &j_forces) const;
 };
+
+// Reads the keyword close_skin, whose value is a length (m) or `auto`; returns the other arguments.
+template <typename ContactModel>
+std::vector<char *> GranularSpherocylinder<ContactModel>::take_close_skin(int nargs, char **args)
+{
+  std::vector<char *> others;
+  close_skin_ = 0.0;
+  for (int k = 0; k < nargs; k++) {
+    if (strcmp(args[k], "close_skin") != 0) {
+      others.push_back(args[k]);
+      continue;
+    }
+    const char *value = ++k < nargs ? args[k] : "nothing";
+    if (strcmp(value, "auto") == 0) continue;
+    char *end = nullptr;
+    close_skin_ = strtod(value, &end);
+    if (*end != '\0' || !(close_skin_ > 0.0) || !std::isfinite(close_skin_))
+      rod_error_all(lmp, "Pair gran with surface spherocylinder: close_skin must be auto or a length > 0 "
+                         "(got %s)", value);
+  }
+  return others;
+}
 
 // Where the models keep a value of this name; the stock ones do not all tell.
 template <typename ContactModel>
@@ -189,23 +232,37 @@ void GranularSpherocylinder<ContactModel>::separate(SurfacesIntersectData &sidat
     for (int d = 0; d < 3; d++) sidata.contact_history[side_offset_ + d] = 0.0;
 }
 
-// Masses and inertias are those of the last rebuilding of LIGGGHTS's list, when rods may have come,
-// gone or changed.
 template <typename ContactModel>
-void GranularSpherocylinder<ContactModel>::read_rods(int frozen_bit, bool rebuilt)
+void GranularSpherocylinder<ContactModel>::read_rod(int i)
 {
   using namespace spherocylinder;
-  const int nall = atom->nlocal + atom->nghost;
+  const double *shape = atom->shape[i];
+  rods_[i] = {{load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
+               shape[2] - shape[0]},
+              shape[0]};
+  motions_[i].velocity = load(atom->v[i]);
+  motions_[i].omega = load(atom->omega[i]);
+}
+
+// All rods, or those that the lists of pairs have to do with.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::read_rods(bool all)
+{
+  const int owned = atom->nlocal, nall = owned + atom->nghost;
   rods_.resize(nall);
   motions_.resize(nall);
+  for (int i = 0; i < (all ? nall : owned); i++) read_rod(i);
+  if (!all)
+    for (const int i : close_pairs_.tracked_ghosts()) read_rod(i);
+}
+
+// Masses and inertias are those of the last time LIGGGHTS built its lists, when rods may have come,
+// gone or changed.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::read_masses(int frozen_bit)
+{
+  const int nall = atom->nlocal + atom->nghost;
   for (int i = 0; i < nall; i++) {
-    const double *shape = atom->shape[i];
-    rods_[i] = {{load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
-                 shape[2] - shape[0]},
-                shape[0]};
-    motions_[i].velocity = load(atom->v[i]);
-    motions_[i].omega = load(atom->omega[i]);
-    if (!rebuilt) continue;
     const bool frozen = atom->mask[i] & frozen_bit;
     motions_[i].inverse = {frozen ? 0.0 : 1.0 / atom->rmass[i],
                            frozen ? 0.0 : 1.0 / atom->inertia[i][0]};
@@ -221,12 +278,13 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   else
     pair->evflag = pair->vflag_fdotr = 0;
 
+  const bool migrated = neighbor->ago == 0;
+  close_pairs_.update(*pair, rods_, migrated, [this](bool all) { read_rods(all); });
+  if (migrated) read_masses(pair->freeze_group_bit());
   int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
   double **first_history = pair->listgranhistory ? pair->listgranhistory->firstdouble : nullptr;
-  const bool rebuilt = neighbor->ago == 0;
-  read_rods(pair->freeze_group_bit(), rebuilt);
-  close_pairs_.update(*pair->list, first_flags, rods_, rebuilt);
   touching_pairs_.find(close_pairs_.entries(), rods_, atom->tag, first_flags);
+  close_pairs_.counts().touching = static_cast<int64_t>(touching_pairs_.touching().size());
 
   auto *local = ComputeGranLocalSpherocylinder::collecting(pair->cpl(), update->ntimestep);
   if (local) local->begin_rows();

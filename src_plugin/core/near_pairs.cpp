@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "near_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spherocylinder {
+
+namespace {
+
+// Cells a cube on an axis: more of them are a waste of memory where rods are few and far between.
+constexpr double kCellsPerCube = 8.0;
+
+Vec3 smaller(const Vec3 &a, const Vec3 &b)
+{
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+
+Vec3 larger(const Vec3 &a, const Vec3 &b)
+{
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+Vec3 absolute(const Vec3 &a) { return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}; }
+
+}  // namespace
+
+int NearPairs::cubes_on(const Segment &segment) const
+{
+  return std::max(1, static_cast<int>(std::ceil(2.0 * segment.half_length / spacing_)));
+}
+
+void NearPairs::lay_grid(const std::vector<Capsule> &rods, int owned, double gap)
+{
+  double thickest = 0.0;
+  for (const Capsule &rod : rods) thickest = std::max(thickest, rod.radius);
+  const double reach = 2.0 * thickest + gap;
+  spacing_ = 0.5 * reach;
+
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vec3 low = {kInfinity, kInfinity, kInfinity}, high = -low;
+  double cubes = 0.0;
+  for (int i = 0; i < owned; i++) {
+    const Segment &segment = rods[i].segment;
+    const double around = rods[i].radius + 0.5 * (gap + spacing_);
+    const Vec3 extent =
+        segment.half_length * absolute(segment.axis) + Vec3{around, around, around};
+    low = smaller(low, segment.centre - extent);
+    high = larger(high, segment.centre + extent);
+    cubes += cubes_on(segment);
+  }
+
+  nx_ = ny_ = nz_ = 0;
+  if (!(low.x <= high.x && low.y <= high.y && low.z <= high.z)) return;  // no rod has a place
+  const Vec3 size = high - low;
+  double edge = reach + spacing_;
+  const double most = kCellsPerCube * cubes + 1000.0;
+  const auto cells = [](double length, double cell) { return std::floor(length / cell) + 1.0; };
+  while (cells(size.x, edge) * cells(size.y, edge) * cells(size.z, edge) > most) edge *= 1.25;
+  low_ = low;
+  high_ = high;
+  cells_a_metre_ = 1.0 / edge;
+  nx_ = static_cast<int>(cells(size.x, edge));
+  ny_ = static_cast<int>(cells(size.y, edge));
+  nz_ = static_cast<int>(cells(size.z, edge));
+}
+
+// Whether a rod's tube has no part in the grid; true if it has no place (not a number).
+bool NearPairs::is_outside(const Capsule &rod, double gap) const
+{
+  const double around = rod.radius + 0.5 * (gap + spacing_);
+  const Vec3 extent =
+      rod.segment.half_length * absolute(rod.segment.axis) + Vec3{around, around, around};
+  const Vec3 low = rod.segment.centre - extent, high = rod.segment.centre + extent;
+  return !(low.x <= high_.x && low.y <= high_.y && low.z <= high_.z && high.x >= low_.x &&
+           high.y >= low_.y && high.z >= low_.z);
+}
+
+// The cells of each rod, each cell once, then the rods of each cell.
+void NearPairs::enter_rods(const std::vector<Capsule> &rods, double gap)
+{
+  const int n = static_cast<int>(rods.size());
+  const int n_cells = nx_ * ny_ * nz_;
+  first_of_cell_.assign(n_cells + 1, 0);
+  last_seen_.assign(n_cells, -1);
+  first_of_rod_.resize(n + 1);
+  cells_of_rods_.clear();
+
+  // Of the rows of cells that a cube reaches, those in the grid: none if first > last.
+  const auto first_row = [](double place, int cells) {
+    return place < 0.0 ? 0 : place < cells ? static_cast<int>(place) : cells;
+  };
+  const auto last_row = [](double place, int cells) {
+    return place < 0.0 ? -1 : place < cells ? static_cast<int>(place) : cells - 1;
+  };
+  for (int i = 0; i < n; i++) {
+    first_of_rod_[i] = static_cast<int>(cells_of_rods_.size());
+    const Segment &segment = rods[i].segment;
+    if (is_outside(rods[i], gap)) continue;
+    const int cubes = cubes_on(segment);
+    const double step = 2.0 * segment.half_length / cubes;
+    const double half = (rods[i].radius + 0.5 * (gap + step)) * cells_a_metre_;
+    const Vec3 middle = cells_a_metre_ * (segment.centre - low_);
+    const Vec3 along = cells_a_metre_ * segment.axis;
+    for (int k = 0; k < cubes; k++) {
+      const Vec3 place = middle + ((k + 0.5) * step - segment.half_length) * along;
+      const int x0 = first_row(place.x - half, nx_), x1 = last_row(place.x + half, nx_);
+      const int y0 = first_row(place.y - half, ny_), y1 = last_row(place.y + half, ny_);
+      const int z0 = first_row(place.z - half, nz_), z1 = last_row(place.z + half, nz_);
+      for (int z = z0; z <= z1; z++)
+        for (int y = y0; y <= y1; y++)
+          for (int x = x0; x <= x1; x++) {
+            const int cell = (z * ny_ + y) * nx_ + x;
+            if (last_seen_[cell] == i) continue;
+            last_seen_[cell] = i;
+            first_of_cell_[cell]++;
+            cells_of_rods_.push_back(cell);
+          }
+    }
+  }
+  first_of_rod_[n] = static_cast<int>(cells_of_rods_.size());
+
+  // first_of_cell_ holds counts; turned into ends, then, filling from the back, into beginnings.
+  for (int cell = 0, end = 0; cell <= n_cells; cell++)
+    first_of_cell_[cell] = end += first_of_cell_[cell];
+  rods_in_cells_.resize(cells_of_rods_.size());
+  for (int i = n - 1; i >= 0; i--)
+    for (int k = first_of_rod_[i]; k < first_of_rod_[i + 1]; k++)
+      rods_in_cells_[--first_of_cell_[cells_of_rods_[k]]] = i;
+}
+
+// Of the candidates, those near rod i.
+void NearPairs::keep_near(const std::vector<Capsule> &rods, int i, double gap)
+{
+  const int n = static_cast<int>(candidates_.size());
+  for (int start = 0; start < n; start += kBatch) {
+    const int count = std::min(kBatch, n - start);
+    const int *js = &candidates_[start];
+    for (int k = 0; k < count; k++)
+      batch_.set(k, rods[i].segment, rods[js[k]].segment,
+                 rods[i].radius + rods[js[k]].radius + gap);
+    closest_points(batch_);
+    for (int k = 0; k < count; k++) {
+      double distance_squared = batch_.distance_squared[k];
+      if (batch_.uncertain[k] != 0.0)
+        distance_squared = closest_points(rods[i].segment, rods[js[k]].segment).distance_squared;
+      if (distance_squared < batch_.reach[k] * batch_.reach[k]) partners_.push_back(js[k]);
+    }
+  }
+}
+
+void NearPairs::find(const std::vector<Capsule> &rods, int owned, double gap)
+{
+  first_.assign(owned + 1, 0);
+  partners_.clear();
+  if (owned == 0) return;
+  lay_grid(rods, owned, gap);
+  enter_rods(rods, gap);
+
+  last_seen_.assign(rods.size(), -1);
+  for (int i = 0; i < owned; i++) {
+    first_[i] = static_cast<int>(partners_.size());
+    candidates_.clear();
+    for (int k = first_of_rod_[i]; k < first_of_rod_[i + 1]; k++) {
+      const int cell = cells_of_rods_[k];
+      for (int m = first_of_cell_[cell + 1] - 1; rods_in_cells_[m] > i; m--) {
+        const int j = rods_in_cells_[m];
+        if (last_seen_[j] == i) continue;
+        last_seen_[j] = i;
+        candidates_.push_back(j);
+      }
+    }
+    std::sort(candidates_.begin(), candidates_.end());
+    keep_near(rods, i, gap);
+  }
+  first_[owned] = static_cast<int>(partners_.size());
+}
+
+}  // namespace spherocylinder

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The two lists of near rods: they hold what they say, and no motion depends on them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <random>
+#include <string>
+
+#include "rod_gas.h"
+#include "scene.h"
+#include "slow_distance.h"
+
+using namespace decks;
+
+namespace {
+
+// The lines after a run.
+struct Report {
+  long listed = -1, close = -1, touching = -1, builds = -1, refreshes = -1;
+  double list_skin = -1.0, close_skin = -1.0;
+};
+
+Report read_report(const std::string &output)
+{
+  Report report;
+  const size_t begin = output.find("Rod pairs: ");
+  if (begin == std::string::npos) return report;
+  sscanf(output.c_str() + begin,
+         "Rod pairs: listed = %ld, close = %ld, touching = %ld Rod pair list builds = %ld (skin %lf), "
+         "close pair refreshes = %ld (skin %lf)",
+         &report.listed, &report.close, &report.touching, &report.builds, &report.list_skin,
+         &report.refreshes, &report.close_skin);
+  return report;
+}
+
+struct Result {
+  Report report;
+  std::string output;
+  std::vector<Frame> frames;
+};
+
+// `keywords` of the pair style, `commands` before the run, what follows `run N`.
+Result run_with(const Scene &scene, const std::string &keywords, const std::string &commands = "",
+                Mode mode = Mode::OneRank, const std::string &run_options = "")
+{
+  const DeckFolder folder;
+  folder.write("rods.data", data_file(scene));
+  folder.write("in.lists",
+               preamble(scene, mode) + "read_data rods.data\n" +
+                   fmt::format("neighbor {} bin\n", scene.skin) +
+                   linear_material(1e5, 5e4, 0.9, 0.3) +
+                   "pair_style gran model linear tangential history surface spherocylinder " +
+                   keywords + "\npair_coeff * *\nfix motion all nve/spherocylinder\n" + commands +
+                   "compute contacts all contact/spherocylinder\n" +
+                   exact_dump("dump.lists", scene.dump_every, kFrameColumns) +
+                   fmt::format("timestep {}\nrun {} {}\n", scene.dt, scene.steps, run_options));
+  const Outcome outcome = folder.run("in.lists", {Program::Lmp, mode == Mode::TwoRanks ? 2 : 1});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  if (outcome.exit_code != 0) return {};
+  return {read_report(outcome.output), outcome.output,
+          read_frames(folder / "dump.lists", scene)};
+}
+
+// Rods of 8-16 and spheres of 1 diameter thrown into a box without regard to overlap.
+Scene heap()
+{
+  std::mt19937 random(50021);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  std::normal_distribution<double> normal;
+  Scene scene;
+  for (int i = 0; i < 200; i++) {
+    Rod rod;
+    rod.diameter = i % 2 ? 0.01 : 0.016;
+    rod.length = i % 5 == 0 ? rod.diameter : rod.diameter * (8.0 + i % 8);
+    rod.position = 0.15 * Vec3{any(random), any(random), any(random)};
+    rod.axis = normalized({normal(random), normal(random), normal(random)});
+    scene.rods.push_back(rod);
+  }
+  scene.dump_every = 1;
+  return scene;
+}
+
+long pairs_nearer_than(double gap, const Scene &scene)
+{
+  long pairs = 0;
+  for (size_t i = 0; i < scene.rods.size(); i++)
+    for (size_t j = i + 1; j < scene.rods.size(); j++) {
+      const Rod &a = scene.rods[i], &b = scene.rods[j];
+      pairs += slow_distance(a, b) < a.radius() + b.radius() + gap;
+    }
+  return pairs;
+}
+
+// A gas with friction and histories, fast and turning; at least one collision a rod.
+Scene gas()
+{
+  RodGas gas;
+  gas.rods = 120;
+  gas.shortest = 0.3;
+  gas.volume_fraction = 0.06;
+  Scene scene = scene_of(gas);
+  scene.dt = shortest_contact(gas) / 40.0;
+  scene.steps = 6000;
+  scene.dump_every = 1000;
+  return scene;
+}
+
+// Rods whose state is not the same to the last bit.
+int different(const std::vector<Frame> &a, const std::vector<Frame> &b)
+{
+  const auto same = [](const Vec3 &u, const Vec3 &v) {
+    return u.x == v.x && u.y == v.y && u.z == v.z;
+  };
+  if (a.empty() || a.size() != b.size()) return -1;
+  int count = 0;
+  for (size_t f = 0; f < a.size(); f++)
+    for (size_t k = 0; k < a[f].rods.size(); k++) {
+      const Rod &one = a[f].rods[k], &other = b[f].rods[k];
+      count += !same(one.position, other.position) || !same(one.axis, other.axis) ||
+               !same(one.velocity, other.velocity) || !same(one.omega, other.omega);
+    }
+  return count;
+}
+
+}  // namespace
+
+TEST(PairLists, HoldThePairsNearerThanTheirSkins)
+{
+  const Scene scene = heap();
+  for (const char *keywords : {"", "close_skin 0.007", "close_skin auto"}) {
+    const Report report = run_with(scene, keywords).report;
+    EXPECT_EQ(report.listed, pairs_nearer_than(report.list_skin, scene));
+    EXPECT_EQ(report.close, pairs_nearer_than(report.close_skin, scene));
+    EXPECT_EQ(report.touching, pairs_nearer_than(0.0, scene));
+    EXPECT_GT(report.touching, 20);
+    EXPECT_GT(report.close, report.touching + 20);
+    EXPECT_GT(report.listed, report.close + 20);
+  }
+}
+
+// Contacts, their histories and the order of the sums are the same, whatever the skins; the lists
+// are made again a few times, in nearly each step, or as is best.
+TEST(PairLists, DoNotChangeTheMotion)
+{
+  const Scene scene = gas();
+  const Result chosen = run_with(scene, "");
+  const Result wide = run_with(scene, "close_skin 0.02");
+  const Result thin = run_with(scene, "close_skin 1e-5");
+  EXPECT_GT(collisions(chosen.frames), 60.0);
+  EXPECT_EQ(different(wide.frames, chosen.frames), 0);
+  EXPECT_EQ(different(thin.frames, chosen.frames), 0);
+  EXPECT_EQ(wide.report.close_skin, 0.02);
+  EXPECT_EQ(thin.report.close_skin, 1e-5);
+  EXPECT_GT(thin.report.refreshes, 5000);
+  EXPECT_LT(chosen.report.refreshes, thin.report.refreshes);
+  EXPECT_LT(wide.report.refreshes, chosen.report.refreshes);
+  // More than LIGGGHTS asks for, so that histories pass from list to list without it.
+  long neighbour_builds = -1;
+  sscanf(wide.output.c_str() + wide.output.find("Neighbor list builds"), "Neighbor list builds = %ld",
+         &neighbour_builds);
+  EXPECT_GE(neighbour_builds, 0);
+  EXPECT_GT(wide.report.builds, neighbour_builds + 5);
+}
+
+// The rods of two ranks look at the same pairs: ghosts move and turn as their owners do. Forces are
+// added in another order, which these collisions multiply: 10^-15 m after the first of them.
+TEST(PairLists, AreCompleteOnTwoRanks)
+{
+  Scene scene = gas();
+  scene.steps = 2000;
+  scene.dump_every = 500;
+  const Result one = run_with(scene, "close_skin 1e-4");
+  const Result two = run_with(scene, "close_skin 1e-4", "", Mode::TwoRanks);
+  ASSERT_EQ(one.frames.size(), two.frames.size());
+  double largest = 0.0;
+  for (size_t f = 0; f < one.frames.size(); f++)
+    for (size_t k = 0; k < scene.rods.size(); k++)
+      largest = std::max(largest, norm(one.frames[f].rods[k].position -
+                                       two.frames[f].rods[k].position));
+  EXPECT_LT(largest, 1e-12);
+  EXPECT_GT(collisions(one.frames), 20.0);
+}
+
+// neigh_modify exclude and include: LIGGGHTS's own words for pairs that are not to touch.
+TEST(PairLists, LeaveOutWhatTheDeckExcludes)
+{
+  Scene scene = heap();
+  scene.types = 2;
+  for (size_t k = 0; k < scene.rods.size(); k++) scene.rods[k].type = k % 3 == 0 ? 2 : 1;
+  const auto touching = [&](auto &&counts) {
+    long pairs = 0;
+    for (size_t i = 0; i < scene.rods.size(); i++)
+      for (size_t j = i + 1; j < scene.rods.size(); j++) {
+        const Rod &a = scene.rods[i], &b = scene.rods[j];
+        if (counts(a.type, b.type)) pairs += slow_distance(a, b) < a.radius() + b.radius();
+      }
+    return pairs;
+  };
+  const std::string material =
+      linear_material(1e5, 5e4, 0.9, 0.3, 2);
+  const auto excluded = [&](const std::string &command) {
+    return run_with(scene, "", material + command + "\n").report.touching;
+  };
+  const long apart = excluded("neigh_modify exclude type 1 2");
+  EXPECT_EQ(apart, touching([](int a, int b) { return a == b; }));
+  const long of_group = excluded("group two type 2\nneigh_modify exclude group two two");
+  EXPECT_EQ(of_group, touching([](int a, int b) { return a != 2 || b != 2; }));
+  EXPECT_LT(apart, touching([](int, int) { return true; }));
+}
+
+// LIGGGHTS's lists hold 2,000 neighbours of a rod unless the deck allows more.
+TEST(PairLists, OfVeryLongRodsNeedNoSetting)
+{
+  Scene scene;
+  std::mt19937 random(50021);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int i = 0; i < 3000; i++) {
+    Rod rod;
+    rod.length = 1.0;
+    rod.position = 0.4 * Vec3{any(random), any(random), any(random)};
+    rod.axis = normalized({1.0, 0.05 * any(random), 0.05 * any(random)});
+    scene.rods.push_back(rod);
+  }
+  scene.dump_every = 1;
+  const Report report = run_with(scene, "").report;
+  EXPECT_GT(report.touching, 1000);
+  EXPECT_EQ(report.builds, 1);
+}
+
+TEST(PairLists, AreReportedLikeTheNeighbourList)
+{
+  Scene scene = gas();
+  scene.steps = 1000;
+  EXPECT_NE(run_with(scene, "").output.find("Neighbor list builds"), std::string::npos);
+  const std::string quiet = run_with(scene, "", "", Mode::OneRank, "post no").output;
+  EXPECT_EQ(quiet.find("Neighbor list builds"), std::string::npos);
+  EXPECT_EQ(quiet.find("Rod pair"), std::string::npos);
+}
