@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 #include <string>
@@ -102,7 +103,7 @@ Scene gas()
   Scene scene = scene_of(gas);
   scene.dt = shortest_contact(gas) / 40.0;
   scene.steps = 6000;
-  scene.dump_every = 1000;
+  scene.dump_every = 40;  // each contact is seen
   return scene;
 }
 
@@ -169,7 +170,6 @@ TEST(PairLists, AreCompleteOnTwoRanks)
 {
   Scene scene = gas();
   scene.steps = 2000;
-  scene.dump_every = 500;
   const Result one = run_with(scene, "close_skin 1e-4");
   const Result two = run_with(scene, "close_skin 1e-4", "", Mode::TwoRanks);
   ASSERT_EQ(one.frames.size(), two.frames.size());
