@@ -22,6 +22,25 @@ Vec3 larger(const Vec3 &a, const Vec3 &b)
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
+// The rows of cells, of those in the grid, that a cube reaches in one dimension; none if last < first.
+struct Rows {
+  int first, last;
+
+  Rows(int a, int b) : first(a), last(b) {}
+  Rows(double place, double half, int cells)
+      : first(row(place - half, cells)), last(place + half < 0.0 ? -1 : row(place + half, cells))
+  {
+    last = std::min(last, cells - 1);
+  }
+  bool has(int k) const { return first <= k && k <= last; }
+
+ private:
+  static int row(double place, int cells)
+  {
+    return place < 0.0 ? 0 : place < cells ? static_cast<int>(place) : cells;
+  }
+};
+
 Vec3 absolute(const Vec3 &a) { return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}; }
 
 }  // namespace
@@ -59,65 +78,75 @@ void NearPairs::lay_grid(const std::vector<Capsule> &rods, int owned, double gap
   const auto cells = [](double length, double cell) { return std::floor(length / cell) + 1.0; };
   while (cells(size.x, edge) * cells(size.y, edge) * cells(size.z, edge) > most) edge *= 1.25;
   low_ = low;
-  high_ = high;
   cells_a_metre_ = 1.0 / edge;
   nx_ = static_cast<int>(cells(size.x, edge));
   ny_ = static_cast<int>(cells(size.y, edge));
   nz_ = static_cast<int>(cells(size.z, edge));
 }
 
-// Whether a rod's tube has no part in the grid; true if it has no place (not a number).
-bool NearPairs::is_outside(const Capsule &rod, double gap) const
+// The cells of a rod, each once. Along the axis the rows of cells that a cube reaches move one way in each
+// dimension: a cell of a cube and of any before it is one of the cube just before it.
+void NearPairs::enter_rod(const Capsule &rod, double gap)
 {
-  const double around = rod.radius + 0.5 * (gap + spacing_);
-  const Vec3 extent =
-      rod.segment.half_length * absolute(rod.segment.axis) + Vec3{around, around, around};
-  const Vec3 low = rod.segment.centre - extent, high = rod.segment.centre + extent;
-  return !(low.x <= high_.x && low.y <= high_.y && low.z <= high_.z && high.x >= low_.x &&
-           high.y >= low_.y && high.z >= low_.z);
+  const Segment &segment = rod.segment;
+  const int cubes = cubes_on(segment);
+  const double step = 2.0 * segment.half_length / cubes;
+  const double half = (rod.radius + 0.5 * (gap + step)) * cells_a_metre_;
+  const Vec3 middle = cells_a_metre_ * (segment.centre - low_);
+  const Vec3 along = cells_a_metre_ * segment.axis;
+
+  // Cubes that may reach into the grid, a step more at either end for rounding; a sphere has one.
+  double begin = -segment.half_length - step, end = -begin;
+  const auto clip = [&](double centre, double slope, int cells) {
+    const double low = -half - centre, high = cells + half - centre;
+    if (std::fabs(slope) * segment.half_length < 1e-9 * half) {
+      if (!(low <= half && high >= -half)) end = begin;
+      return;
+    }
+    begin = std::max(begin, std::min(low / slope, high / slope) - step);
+    end = std::min(end, std::max(low / slope, high / slope) + step);
+  };
+  int first = 0, last = 0;
+  if (step > 0.0) {
+    clip(middle.x, along.x, nx_);
+    clip(middle.y, along.y, ny_);
+    clip(middle.z, along.z, nz_);
+    if (!(begin < end)) return;
+    first = std::max(0, static_cast<int>((begin + segment.half_length) / step));
+    last = std::min(cubes - 1, static_cast<int>((end + segment.half_length) / step));
+  }
+
+  Rows x_before{1, 0}, y_before{1, 0}, z_before{1, 0};
+  for (int k = first; k <= last; k++) {
+    const Vec3 place = middle + ((k + 0.5) * step - segment.half_length) * along;
+    const Rows x(place.x, half, nx_), y(place.y, half, ny_), z(place.z, half, nz_);
+    for (int iz = z.first; iz <= z.last; iz++)
+      for (int iy = y.first; iy <= y.last; iy++) {
+        const bool row_before = z_before.has(iz) && y_before.has(iy);
+        for (int ix = x.first; ix <= x.last; ix++) {
+          if (row_before && x_before.has(ix)) continue;
+          const int cell = (iz * ny_ + iy) * nx_ + ix;
+          first_of_cell_[cell]++;
+          cells_of_rods_.push_back(cell);
+        }
+      }
+    x_before = x;
+    y_before = y;
+    z_before = z;
+  }
 }
 
-// The cells of each rod, each cell once, then the rods of each cell.
+// The cells of each rod, then the rods of each cell.
 void NearPairs::enter_rods(const std::vector<Capsule> &rods, double gap)
 {
   const int n = static_cast<int>(rods.size());
   const int n_cells = nx_ * ny_ * nz_;
   first_of_cell_.assign(n_cells + 1, 0);
-  last_seen_.assign(n_cells, -1);
   first_of_rod_.resize(n + 1);
   cells_of_rods_.clear();
-
-  // Of the rows of cells that a cube reaches, those in the grid: none if first > last.
-  const auto first_row = [](double place, int cells) {
-    return place < 0.0 ? 0 : place < cells ? static_cast<int>(place) : cells;
-  };
-  const auto last_row = [](double place, int cells) {
-    return place < 0.0 ? -1 : place < cells ? static_cast<int>(place) : cells - 1;
-  };
   for (int i = 0; i < n; i++) {
     first_of_rod_[i] = static_cast<int>(cells_of_rods_.size());
-    const Segment &segment = rods[i].segment;
-    if (is_outside(rods[i], gap)) continue;
-    const int cubes = cubes_on(segment);
-    const double step = 2.0 * segment.half_length / cubes;
-    const double half = (rods[i].radius + 0.5 * (gap + step)) * cells_a_metre_;
-    const Vec3 middle = cells_a_metre_ * (segment.centre - low_);
-    const Vec3 along = cells_a_metre_ * segment.axis;
-    for (int k = 0; k < cubes; k++) {
-      const Vec3 place = middle + ((k + 0.5) * step - segment.half_length) * along;
-      const int x0 = first_row(place.x - half, nx_), x1 = last_row(place.x + half, nx_);
-      const int y0 = first_row(place.y - half, ny_), y1 = last_row(place.y + half, ny_);
-      const int z0 = first_row(place.z - half, nz_), z1 = last_row(place.z + half, nz_);
-      for (int z = z0; z <= z1; z++)
-        for (int y = y0; y <= y1; y++)
-          for (int x = x0; x <= x1; x++) {
-            const int cell = (z * ny_ + y) * nx_ + x;
-            if (last_seen_[cell] == i) continue;
-            last_seen_[cell] = i;
-            first_of_cell_[cell]++;
-            cells_of_rods_.push_back(cell);
-          }
-    }
+    enter_rod(rods[i], gap);
   }
   first_of_rod_[n] = static_cast<int>(cells_of_rods_.size());
 

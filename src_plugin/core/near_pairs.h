@@ -32,20 +32,20 @@ class NearPairs {
 
  private:
   // The grid: a box around the tubes of the owned rods.
-  Vec3 low_{}, high_{};
+  Vec3 low_{};
   double cells_a_metre_ = 0.0;
   int nx_ = 0, ny_ = 0, nz_ = 0;
   double spacing_ = 0.0;  // of the cubes on an axis, at most (m)
 
   std::vector<int> first_of_cell_, rods_in_cells_;   // rods of each cell, ascending
   std::vector<int> first_of_rod_, cells_of_rods_;    // cells of each rod
-  std::vector<int> last_seen_;                       // by cell, then by rod: who saw it last
+  std::vector<int> last_seen_;                       // of each rod: whose candidate it was last
   std::vector<int> first_, partners_, candidates_;
   SegmentPairs batch_{};
 
   int cubes_on(const Segment &segment) const;
-  bool is_outside(const Capsule &rod, double gap) const;
   void lay_grid(const std::vector<Capsule> &rods, int owned, double gap);
+  void enter_rod(const Capsule &rod, double gap);
   void enter_rods(const std::vector<Capsule> &rods, double gap);
   void keep_near(const std::vector<Capsule> &rods, int i, double gap);
 };

@@ -18,16 +18,16 @@ namespace {
 // Skins to begin with, in diameters of the thickest rod.
 constexpr double kFirstSkin = 0.3;
 constexpr double kFirstListSkin = 1.5;
-// Where chosen: bounds, and the steps between two choices.
+// Where chosen: bounds, and when: after so many renewals, which take some steps, or steps.
 constexpr double kThinnest = 0.05, kWidest = 1.0;
 constexpr double kNarrowestBeyond = 0.5, kWidestBeyond = 4.0;
-constexpr int64_t kStepsToChoose = 1000;
+constexpr int64_t kRenewalsToChoose = 3, kFewestSteps = 200, kMostSteps = 2000;
 
 // What the parts cost, in nanoseconds on the machine they were measured on; their ratios are what
 // counts. A close pair is gathered and its closest points found, every step; a refresh of the close
 // pairs walks along the list and finds the closest points of the pairs of rods that moved; a renewal of
-// the list is some 20 times the work of listing a pair.
-constexpr double kTestCost = 15.0, kWalkCost = 1.5, kLookCost = 30.0, kRenewalCost = 200.0;
+// the list searches the grid, for each pair that it finds.
+constexpr double kTestCost = 15.0, kWalkCost = 1.5, kLookCost = 30.0, kRenewalCost = 400.0;
 
 }  // namespace
 
@@ -66,7 +66,8 @@ bool CloseRodPairs::look(PairGran &pair, const std::vector<Capsule> &rods)
   for (int i = 0; i < owned; i++) any |= mark_if_moved(i, rods[i], beyond);
   for (const int i : tracked_ghosts_) any |= mark_if_moved(i, rods[i], beyond);
   if (beyond) return false;
-  if (work_.steps >= kStepsToChoose && choose_skins()) return false;
+  const bool enough = work_.renewals >= kRenewalsToChoose && work_.steps >= kFewestSteps;
+  if ((enough || work_.steps >= kMostSteps) && choose_skins()) return false;
   if (!any) return true;
   work_.looked_at += walk(pair);
   work_.walked += list_.pairs();
@@ -145,7 +146,10 @@ void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool
   entries_.clear();
   walk(pair);
   // What LIGGGHTS asks for does not depend on the skin.
-  if (!migrated) work_.listed += list_.pairs();
+  if (!migrated) {
+    work_.renewals++;
+    work_.listed += list_.pairs();
+  }
 
   counts_.renewals++;
   counts_.listed = list_.pairs();
