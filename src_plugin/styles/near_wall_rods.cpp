@@ -2,11 +2,10 @@
 #include "near_wall_rods.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "atom.h"
 #include "atom_vec_spherocylinder.h"
-#include "core/largest_magnitude.h"
+#include "core/largest_components.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -25,14 +24,15 @@ const AtomVecSpherocylinder &rods_of(const Atom &atom)
 
 }  // namespace
 
-// A bound on the speed of any rod's ends: |v| + h |omega|, with |a| <= sqrt(3) max |a_k|. Contacts
-// see the velocity that has just moved the rods, so that times the time step it bounds their way.
-double NearWallRods::fastest_end() const
+// A bound on the speed of any rod's end towards the wall: that of the centre in
+// these directions and h |omega|. Contacts see the velocity that has just moved the rods, so that times
+// the time step it bounds their way.
+double NearWallRods::fastest_end(const WallSurface &surface) const
 {
-  const int values = 3 * atom->nlocal;
-  if (values == 0) return 0.0;
-  return std::sqrt(3.0) * (largest_magnitude(atom->v[0], values) +
-                           longest_ * largest_magnitude(atom->omega[0], values));
+  const int rods = atom->nlocal;
+  if (rods == 0) return 0.0;
+  return surface.size_across(largest_components(atom->v[0], rods)) +
+         longest_ * norm(largest_components(atom->omega[0], rods));
 }
 
 bool NearWallRods::is_near(const WallSurface &surface, int i) const
@@ -48,7 +48,7 @@ bool NearWallRods::renew(const WallSurface &surface, const int *candidates, int 
 {
   if (known_) {
     if (count == 0) return false;
-    travelled_ += update->dt * fastest_end();
+    travelled_ += update->dt * fastest_end(surface);
     if (travelled_ <= 0.5 * skin_) return false;
   }
 

@@ -36,7 +36,7 @@ class NearWallRods : protected Pointers {
   double travelled_ = 0.0;     // by an end since the list was made, at most (m)
   std::vector<int> near_, far_;
 
-  double fastest_end() const;
+  double fastest_end(const WallSurface &surface) const;
   bool is_near(const WallSurface &surface, int i) const;
 };
 
