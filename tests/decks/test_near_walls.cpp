@@ -115,6 +115,25 @@ TEST_P(NearWalls, NoContactComesUnseenOnTwoRanks)
   EXPECT_EQ(difference(run(scene, Mode::TwoRanks), run(scene)), 0.0);
 }
 
+// A rod whose centre is at rest comes to the wall by turning: its end is 0.14 m away at first.
+TEST(NearWallsOfTurningRods, NoContactComesUnseen)
+{
+  for (const Vessel &vessel : kVessels) {
+    Scene scene = tumbling_rods(vessel);
+    Rod rod;
+    rod.length = 0.3;
+    rod.axis = {0.0, 0.0, 1.0};
+    rod.position = {0.16, 0.0, 0.0};
+    rod.omega = {0.0, 30.0, 0.0};
+    scene.rods = {rod};
+    scene.steps = 16000;
+    const std::vector<Frame> near = run(scene);
+    scene.physics += kListsOfEachStep;
+    EXPECT_EQ(difference(near, run(scene)), 0.0) << vessel.name;
+    EXPECT_LT(near.back().rods[0].velocity.x, -0.1) << vessel.name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, NearWalls, testing::ValuesIn(kVessels),
                          [](const auto &info) { return std::string(info.param.name); });
 
