@@ -22,13 +22,22 @@ struct MassProperties {
 // face) to the rod's centre.
 MassProperties mass_properties(double diameter, double length, double density);
 
-// Angular velocity of a symmetric top from its angular momentum, both in the space frame.
+// Angular velocity of a symmetric top from its angular momentum, both in the space frame; from the
+// reciprocals of its inertias.
+SPHEROCYLINDER_INLINE Vec3 angular_velocity_by_inverse(const Vec3 &angular_momentum,
+                                                       const Vec3 &axis, double inverse_axial,
+                                                       double inverse_transverse)
+{
+  const double along = dot(angular_momentum, axis);
+  return inverse_transverse * angular_momentum +
+         (along * (inverse_axial - inverse_transverse)) * axis;
+}
+
 inline Vec3 angular_velocity(const Vec3 &angular_momentum, const Vec3 &axis, double inertia_axial,
                              double inertia_transverse)
 {
-  const double along = dot(angular_momentum, axis);
-  return (1.0 / inertia_transverse) * angular_momentum +
-         (along / inertia_axial - along / inertia_transverse) * axis;
+  return angular_velocity_by_inverse(angular_momentum, axis, 1.0 / inertia_axial,
+                                     1.0 / inertia_transverse);
 }
 
 // Angular momentum of a symmetric top from its angular velocity, both in the space frame.

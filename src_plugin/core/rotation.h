@@ -12,14 +12,21 @@ struct Quaternion {
   double w, x, y, z;
 };
 
-Quaternion operator*(const Quaternion &a, const Quaternion &b);
+SPHEROCYLINDER_INLINE Quaternion operator*(const Quaternion &a, const Quaternion &b)
+{
+  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
+          a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+          a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+
 Quaternion normalized(const Quaternion &q);
 
 // Rotation by `angle` (rad) about the unit vector `direction`.
 Quaternion rotation_about(const Vec3 &direction, double angle);
 
 // The rod's axis in the space frame: body z turned by q.
-inline Vec3 axis_of(const Quaternion &q)
+SPHEROCYLINDER_INLINE Vec3 axis_of(const Quaternion &q)
 {
   return {2.0 * (q.x * q.z + q.w * q.y), 2.0 * (q.y * q.z - q.w * q.x),
           q.w * q.w - q.x * q.x - q.y * q.y + q.z * q.z};

@@ -18,6 +18,7 @@
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
+#include "styles/fix_wall_gran_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 
@@ -53,11 +54,18 @@ Compute *create_compute(LAMMPS *lmp, int iarg, int narg, char **arg)
   return new T(lmp, iarg, narg, arg);
 }
 
+bool has_rods(LAMMPS *lmp) { return dynamic_cast<AtomVecSpherocylinder *>(lmp->atom->avec); }
+
 // LIGGGHTS's own where there are no rods.
+Fix *create_wall(LAMMPS *lmp, int narg, char **arg)
+{
+  if (has_rods(lmp)) return new FixWallGranSpherocylinder(lmp, narg, arg);
+  return new FixWallGran(lmp, narg, arg);
+}
+
 Compute *create_gran_local(LAMMPS *lmp, int iarg, int narg, char **arg)
 {
-  if (dynamic_cast<AtomVecSpherocylinder *>(lmp->atom->avec))
-    return new ComputeGranLocalSpherocylinder(lmp, iarg, narg, arg);
+  if (has_rods(lmp)) return new ComputeGranLocalSpherocylinder(lmp, iarg, narg, arg);
   return new ComputePairGranLocal(lmp, iarg, narg, arg);
 }
 
@@ -78,6 +86,7 @@ void add_styles(LAMMPS *lmp)
 #include "styles/fix_particletemplate_spherocylinder.h"
 #undef FixStyle
 #undef FIX_CLASS
+  fixes["wall/gran"] = &create_wall;
 #define COMPUTE_CLASS
 #define ComputeStyle(key, Class) computes[#key] = &create_compute<Class>;
 #include "styles/compute_contact_spherocylinder.h"

@@ -215,13 +215,6 @@ void AtomVecSpherocylinder::set_rod(int i, double diameter, double total_length,
   inertia[i][2] = properties.inertia_axial;
 }
 
-sc::Capsule AtomVecSpherocylinder::capsule(int i) const
-{
-  return {{sc::load(x[i]), sc::axis_of(sc::load_quaternion(quaternion[i])),
-           shape[i][2] - shape[i][0]},
-          shape[i][0]};
-}
-
 RodInsertionList &AtomVecSpherocylinder::insertion_list()
 {
   if (!insertion_list_) insertion_list_ = std::make_unique<RodInsertionList>(lmp, *this);

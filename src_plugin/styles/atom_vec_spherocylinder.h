@@ -72,7 +72,13 @@ class AtomVecSpherocylinder : public AtomVec {
   void set_rod(int i, double diameter, double total_length, double rod_density);
 
   // Rod i as geometry (space frame, m), for owned and ghost rods.
-  spherocylinder::Capsule capsule(int i) const;
+  SPHEROCYLINDER_INLINE spherocylinder::Capsule capsule(int i) const
+  {
+    return {{spherocylinder::load(x[i]),
+             spherocylinder::axis_of(spherocylinder::load_quaternion(quaternion[i])),
+             shape[i][2] - shape[i][0]},
+            shape[i][0]};
+  }
 
   // Largest overlap of any contact, walls included, over the (mean) diameter of its rods, since
   // the run began; this rank's contacts.

@@ -30,48 +30,79 @@ void FixNVESpherocylinder::setup(int)
   }
 }
 
-void FixNVESpherocylinder::initial_integrate(int)
+// The loop over the rods that both halves of a step share: `move(i)` gives rod i's new angular
+// momentum, `finish(count)` ends a batch.
+template <typename Move, typename Finish>
+void FixNVESpherocylinder::for_each_batch(Move move, Finish finish)
 {
   const int *mask = atom->mask;
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-
+  double **inertia = atom->inertia, **quaternion = atom->quaternion, **angmom = atom->angmom;
+  int count = 0;
   for (int i = 0; i < nlocal; i++) {
     if (!(mask[i] & groupbit)) continue;
-    double *v = atom->v[i], *x = atom->x[i], *quaternion = atom->quaternion[i];
-    const double *f = atom->f[i], *inertia = atom->inertia[i];
-    const double dtfm = dtf / atom->rmass[i];
-    for (int d = 0; d < 3; d++) {
-      v[d] += dtfm * f[d];
-      x[d] += dtv * v[d];
-    }
-
-    const sc::Vec3 angmom = sc::load(atom->angmom[i]) + dtf * sc::load(atom->torque[i]);
-    const sc::Quaternion turned =
-        sc::rotate_freely(sc::load_quaternion(quaternion), angmom, inertia[2], inertia[0], dtv);
-    sc::store(turned, quaternion);
-    sc::store(angmom, atom->angmom[i]);
-    // The forces of this step see the half-step velocities, as with LIGGGHTS's other integrators.
-    sc::store(sc::angular_velocity(angmom, sc::axis_of(turned), inertia[2], inertia[0]),
-              atom->omega[i]);
+    move(i);
+    const sc::Vec3 momentum = sc::load(angmom[i]) + dtf * sc::load(atom->torque[i]);
+    sc::store(momentum, angmom[i]);
+    rotations_.set(count, momentum, inertia[i], quaternion[i]);
+    rods_[count++] = i;
+    if (count < sc::kBatch) continue;
+    finish(count);
+    count = 0;
   }
+  if (count > 0) finish(count);
+}
+
+void FixNVESpherocylinder::initial_integrate(int)
+{
+  double **x = atom->x, **v = atom->v, **f = atom->f;
+  const double *mass = atom->rmass;
+  for_each_batch(
+      [&](int i) {
+        const double dtfm = dtf / mass[i];
+        for (int d = 0; d < 3; d++) {
+          v[i][d] += dtfm * f[i][d];
+          x[i][d] += dtv * v[i][d];
+        }
+      },
+      [&](int count) {
+        sc::rotate_freely(rotations_, dtv);
+        // The forces of this step see the half-step velocities, as with LIGGGHTS's other integrators.
+        for (int k = 0; k < count; k++) {
+          const int i = rods_[k];
+          if (rotations_.uncertain[k] != 0.0) {
+            rotate_one(i);
+            continue;
+          }
+          sc::store(rotations_.after(k), atom->quaternion[i]);
+          sc::store(rotations_.omega.get(k), atom->omega[i]);
+        }
+      });
+}
+
+void FixNVESpherocylinder::rotate_one(int i)
+{
+  const double *inertia = atom->inertia[i];
+  const sc::Vec3 angmom = sc::load(atom->angmom[i]);
+  const sc::Quaternion turned = sc::rotate_freely(sc::load_quaternion(atom->quaternion[i]), angmom,
+                                                  inertia[2], inertia[0], dtv);
+  sc::store(turned, atom->quaternion[i]);
+  sc::store(sc::angular_velocity(angmom, sc::axis_of(turned), inertia[2], inertia[0]),
+            atom->omega[i]);
 }
 
 void FixNVESpherocylinder::final_integrate()
 {
-  const int *mask = atom->mask;
-  const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-
-  for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
-    double *v = atom->v[i];
-    const double *f = atom->f[i], *inertia = atom->inertia[i];
-    const double dtfm = dtf / atom->rmass[i];
-    for (int d = 0; d < 3; d++) v[d] += dtfm * f[d];
-
-    const sc::Vec3 angmom = sc::load(atom->angmom[i]) + dtf * sc::load(atom->torque[i]);
-    sc::store(angmom, atom->angmom[i]);
-    sc::store(sc::angular_velocity(angmom, sc::axis_of(sc::load_quaternion(atom->quaternion[i])),
-                                   inertia[2], inertia[0]),
-              atom->omega[i]);
-  }
+  double **v = atom->v, **f = atom->f;
+  const double *mass = atom->rmass;
+  for_each_batch(
+      [&](int i) {
+        const double dtfm = dtf / mass[i];
+        for (int d = 0; d < 3; d++) v[i][d] += dtfm * f[i][d];
+      },
+      [&](int count) {
+        sc::angular_velocities(rotations_);
+        for (int k = 0; k < count; k++)
+          sc::store(rotations_.omega.get(k), atom->omega[rods_[k]]);
+      });
 }

@@ -8,6 +8,7 @@ FixStyle(nve/spherocylinder, FixNVESpherocylinder)
 #ifndef LMP_FIX_NVE_SPHEROCYLINDER_H
 #define LMP_FIX_NVE_SPHEROCYLINDER_H
 
+#include "core/rotation_batch.h"
 #include "fix_nve.h"
 
 namespace LAMMPS_NS {
@@ -20,6 +21,14 @@ class FixNVESpherocylinder : public FixNVE {
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
   void final_integrate() override;
+
+ private:
+  spherocylinder::RodRotations rotations_{};
+  int rods_[spherocylinder::kBatch];  // that the batch holds
+
+  template <typename Move, typename Finish>
+  void for_each_batch(Move move, Finish finish);
+  void rotate_one(int i);
 };
 
 }  // namespace LAMMPS_NS

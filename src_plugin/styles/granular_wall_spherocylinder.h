@@ -4,22 +4,17 @@
 // either, so the two end spheres are the whole contact; each has its own history.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "atom.h"
+#include "batched_linear.h"
 #include "compute_gran_local_spherocylinder.h"
-#include "core/contact_kinematics.h"
-#include "core/rotation.h"
 #include "fix_contact_property_atom_wall.h"
 #include "fix_property_atom.h"
 #include "fix_wall_gran.h"
 #include "force.h"
-#include "granular_wall.h"
+#include "linear_wall_forces.h"
 #include "rod_contact.h"
+#include "rod_wall.h"
 #include "settings.h"
-#include "wall_surface.h"
 
 namespace LIGGGHTS {
 namespace Walls {
@@ -29,13 +24,14 @@ using ContactModels::ForceData;
 using ContactModels::SurfacesIntersectData;
 
 template <typename ContactModel>
-class GranularSpherocylinder : private Pointers, public IGranularWall {
+class GranularSpherocylinder : private Pointers, public RodWall {
  public:
   GranularSpherocylinder(LAMMPS *lmp, FixWallGran *parent, const int64_t hash)
       : Pointers(lmp),
         parent_(parent),
         models_{{lmp, parent, true, hash}, {lmp, parent, true, hash}},
-        monitor_(lmp)
+        monitor_(lmp),
+        linear_(lmp)
   {
   }
 
@@ -55,6 +51,7 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
       model.postSettings(hsetup);
       if (!understood) error->fix_error(FLERR, parent_, settings.error_message.c_str());
     }
+    batched_ = BatchedLinear<ContactModel>::value && linear_.values().understand(nargs, args);
   }
 
   void init_granular() override
@@ -62,8 +59,9 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
     AtomVecSpherocylinder &rods = rods_of(lmp, "Fix wall/gran with surface spherocylinder");
     for (ContactModel &model : models_) model.connectToProperties(force->registry);
     monitor_.reset(rods);
-    surface_known_ = false;
     has_tangential_ = has_tangential_model(models_[0]);
+    if (batched_)
+      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential);
   }
 
   bool checkSurfaceIntersect(SurfacesIntersectData &) override { return true; }
@@ -73,9 +71,17 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
     return models_[0].contact_match(type, model);
   }
 
-  void compute_force(FixWallGran *wall, SurfacesIntersectData &sidata, bool intersectflag,
-                     double *vwall, FixMeshSurface *fix_mesh, int iMesh, TriMesh *mesh,
-                     int iTri) override;
+  void compute_forces(FixWallGran &fix, const MovingWall &wall, const std::vector<int> &rods,
+                      double **history) override;
+  void part(int i, double *history) override;
+
+  // For the loop of LIGGGHTS's own fix, which the rods' fix does not run.
+  void compute_force(FixWallGran *, SurfacesIntersectData &, bool, double *, FixMeshSurface *, int,
+                     TriMesh *, int) override
+  {
+    rod_error_one(lmp, "Fix %s (id %s): surface spherocylinder was asked for one sphere's contact",
+                  parent_->style, parent_->id);
+  }
 
  private:
   FixWallGran *parent_;
@@ -83,111 +89,77 @@ class GranularSpherocylinder : private Pointers, public IGranularWall {
   ContactMonitor monitor_;
   bool has_tangential_ = false;
 
-  WallSurface surface_{};
-  bool surface_known_ = false;
+  LinearWallForces linear_;
+  bool batched_ = false;  // the forces of a usual step are left to linear_
 
-  // An end sphere against the wall.
-  struct EndContact {
-    double distance;              // of the end from the surface, negative once it is through (m)
-    spherocylinder::Vec3 normal;  // unit, from the wall to the rod's side of it
-    spherocylinder::Vec3 radial;  // cylinders: from the cylinder's axis to the end (m)
-  };
-
-  bool find_ends(int i, const spherocylinder::Vec3 &centre, const spherocylinder::Vec3 *arms,
-                 int ends, EndContact *contacts) const;
-  static double shared_load(const EndContact &one, const EndContact &other, double radius);
-  spherocylinder::Vec3 wall_velocity(const EndContact &contact, const double *vwall) const;
-  void report(FixWallGran &wall, const SurfacesIntersectData &sidata, const ForceData &total,
+  bool single_contacts_wanted(FixWallGran &fix) const;
+  void part(SurfacesIntersectData &sidata);
+  void compute_rod(FixWallGran &fix, const MovingWall &wall, SurfacesIntersectData &sidata);
+  void report(FixWallGran &fix, const SurfacesIntersectData &sidata, const ForceData &total,
               double normal_force) const;
 };
 
-// False if no side of the wall can be told to be the rod's: its centre lies in the plane. An end that
-// is through the wall while the rod's centre is not is pushed to the rod's side.
 template <typename ContactModel>
-bool GranularSpherocylinder<ContactModel>::find_ends(int i, const spherocylinder::Vec3 &centre,
-                                                     const spherocylinder::Vec3 *arms, int ends,
-                                                     EndContact *contacts) const
+void GranularSpherocylinder<ContactModel>::compute_forces(FixWallGran &fix, const MovingWall &wall,
+                                                          const std::vector<int> &rods,
+                                                          double **history)
 {
-  using namespace spherocylinder;
-  if (!surface_.is_cylinder) {
-    const double height = surface_.height(centre);
-    if (height == 0.0) return false;
-    const Vec3 normal = (height > 0.0 ? 1.0 : -1.0) * surface_.unit();
-    for (int k = 0; k < ends; k++)
-      contacts[k] = {std::fabs(height) + dot(arms[k], normal), normal, Vec3{0.0, 0.0, 0.0}};
-    return true;
+  if (batched_ && !single_contacts_wanted(fix)) {
+    linear_.compute(fix, wall, rods, history, monitor_);
+    return;
   }
-
-  if (norm_squared(surface_.radial(centre)) > surface_.radius * surface_.radius)
-    rod_error_one(lmp,
-                  "Fix wall/gran (id %s): rod %d is outside the cylinder at step " BIGINT_FORMAT
-                  "; rods know planes and the inside of cylinders only",
-                  parent_->id, atom->tag[i], update->ntimestep);
-  for (int k = 0; k < ends; k++) {
-    const Vec3 radial = surface_.radial(centre + arms[k]);
-    const double from_axis = norm(radial);
-    const double inwards = from_axis > 0.0 ? -1.0 / from_axis : 0.0;  // on the axis: touches nothing
-    contacts[k] = {surface_.radius - from_axis, inwards * radial, radial};
+  SurfacesIntersectData sidata;
+  sidata.is_wall = true;
+  for (const int i : rods) {
+    sidata.i = i;
+    sidata.contact_history = history ? history[i] : nullptr;
+    compute_rod(fix, wall, sidata);
   }
-  return true;
 }
 
-// How far two ends that touch at once act as one contact, from 0 to 1: the ratio of their overlaps,
-// times the cosine between their normals (0 if they face each other, as across a cylinder).
-//
-// Two ends that push equally along one normal feel each other: the point at end 1 gives way by
-// K11 + K12, not by K11 alone, and a rod that lands flat rebounds with e only if its damping knows
-// that. With one overlap at zero the other end is alone, so that the damping has no jump.
+// Whether something in this step asks for more than forces and torques.
 template <typename ContactModel>
-double GranularSpherocylinder<ContactModel>::shared_load(const EndContact &one,
-                                                         const EndContact &other, double radius)
+bool GranularSpherocylinder<ContactModel>::single_contacts_wanted(FixWallGran &fix) const
 {
-  const double a = radius - one.distance, b = radius - other.distance;
-  if (!(a > 0.0) || !(b > 0.0)) return 0.0;
-  return std::min(a, b) / std::max(a, b) * std::max(0.0, dot(one.normal, other.normal));
+  return !fix.computeflag() || !fix.shearupdate() || monitor_.rates() ||
+         fix.store_sum_normal_force() || fix.store_force_contact() ||
+         fix.store_force_contact_stress() || fix.store_force() || fix.heattransfer_flag() ||
+         ComputeGranLocalSpherocylinder::collecting(fix.compute_wall_gran_local(),
+                                                    update->ntimestep);
 }
 
-// vwall is the velocity LIGGGHTS worked out at the rod's centre. A wall that turns about its
-// cylinder's axis moves in proportion to the distance from that axis.
 template <typename ContactModel>
-spherocylinder::Vec3 GranularSpherocylinder<ContactModel>::wall_velocity(
-    const EndContact &contact, const double *vwall) const
+void GranularSpherocylinder<ContactModel>::part(int i, double *history)
 {
-  using namespace spherocylinder;
-  struct Access : FixWallGran {  // names FixWallGran's protected shear settings
-    static int axis(FixWallGran &fix) { return fix.*(&Access::shearAxis_); }
-    static const double *rate(FixWallGran &fix) { return fix.*(&Access::shearAxisVec_); }
-  };
-  if (!surface_.is_cylinder || !parent_->is_moving() || Access::axis(*parent_) < 0)
-    return load(vwall);
-  return cross(load(Access::rate(*parent_)), contact.radial);
+  SurfacesIntersectData sidata;
+  sidata.is_wall = true;
+  sidata.i = i;
+  sidata.contact_history = history;
+  part(sidata);
 }
 
 template <typename ContactModel>
-void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
-                                                         SurfacesIntersectData &sidata, bool,
-                                                         double *vwall, FixMeshSurface *, int,
-                                                         TriMesh *, int)
+void GranularSpherocylinder<ContactModel>::part(SurfacesIntersectData &sidata)
+{
+  ForceData none;
+  for (ContactModel &model : models_) model.surfacesClose(sidata, none, none);
+}
+
+// Any models, one contact after the other.
+template <typename ContactModel>
+void GranularSpherocylinder<ContactModel>::compute_rod(FixWallGran &fix, const MovingWall &wall,
+                                                       SurfacesIntersectData &sidata)
 {
   using namespace spherocylinder;
   const int i = sidata.i;
-  const Vec3 centre = load(atom->x[i]), axis = axis_of(load_quaternion(atom->quaternion[i]));
-  const double radius = atom->shape[i][0], half_length = atom->shape[i][2] - radius;
-  if (!surface_known_) {
-    surface_ = surface_of(*wall->primitiveWall());
-    surface_known_ = true;
+  const Capsule rod = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(i);
+  if (wall.surface.is_outside(rod.segment.centre)) {
+    check_not_at_outside(lmp, fix, wall.surface, i);
+    return;
   }
-
-  // LIGGGHTS asks for every rod whose bounding sphere reaches the wall: few of them touch it.
-  const int ends = half_length > 0.0 ? 2 : 1;
-  const Vec3 arms[2] = {-half_length * axis, half_length * axis};
-  EndContact contacts[2] = {};
-  if (!find_ends(i, centre, arms, ends, contacts)) return;
-  const bool touching = contacts[0].distance <= radius || (ends == 2 && contacts[1].distance <= radius);
-  if (!touching) {
-    ForceData none;
-    if (sidata.contact_history)
-      for (int k = 0; k < ends; k++) models_[k].surfacesClose(sidata, none, none);
+  const RodEnds ends = wall.surface.ends_of(rod);
+  if (!ends.touch(rod.radius)) {
+    if (sidata.contact_history && ends.count > 0) part(sidata);
     return;
   }
 
@@ -196,86 +168,81 @@ void GranularSpherocylinder<ContactModel>::compute_force(FixWallGran *wall,
   sidata.v_j = end_wall_velocity;
   sidata.omega_i = atom->omega[i];
   sidata.omega_j = nullptr;
-  sidata.radi = sidata.radsum = radius;
+  sidata.radi = sidata.radsum = rod.radius;
   sidata.area_ratio = 1.0;
-  sidata.j = -wall->atom_type_wall();  // negative for primitive walls, as in LIGGGHTS
+  sidata.j = -fix.atom_type_wall();  // negative for primitive walls, as in LIGGGHTS
   sidata.contact_flags = nullptr;
   sidata.itype = atom->type[i];
-  sidata.jtype = wall->atom_type_wall();
+  sidata.jtype = fix.atom_type_wall();
   sidata.mi = atom->rmass[i];
-  sidata.computeflag = wall->computeflag();
-  sidata.shearupdate = wall->shearupdate();
+  sidata.computeflag = fix.computeflag();
+  sidata.shearupdate = fix.shearupdate();
 
-  auto *local = ComputeGranLocalSpherocylinder::collecting(wall->compute_wall_gran_local(),
+  auto *local = ComputeGranLocalSpherocylinder::collecting(fix.compute_wall_gran_local(),
                                                            update->ntimestep);
   ForceData total;
   double normal_force = 0.0;
   const InverseInertia inverse = {1.0 / atom->rmass[i], 1.0 / atom->inertia[i][0]};
-  const double shared = ends == 2 ? shared_load(contacts[0], contacts[1], radius) : 0.0;
-  const double coupling =
-      shared > 0.0
-          ? shared * mass_coupling(inverse, arms[0], contacts[0].normal, arms[1], contacts[1].normal)
-          : 0.0;
-  for (int k = 0; k < ends; k++) {
-    const Vec3 &arm = arms[k];
-    const EndContact &contact = contacts[k];
+  const double coupling = coupling_of_ends(ends, rod.radius, inverse);
+  for (int k = 0; k < ends.count; k++) {
+    const Vec3 &arm = ends.arms[k];
+    const EndContact &contact = ends.contacts[k];
     ForceData i_forces, j_forces;
-    if (contact.distance > radius) {
+    if (contact.distance > rod.radius) {
       if (sidata.contact_history) models_[k].surfacesClose(sidata, i_forces, j_forces);
       continue;
     }
     sidata.r = contact.distance;
     sidata.rsq = contact.distance * contact.distance;
     sidata.rinv = contact.distance != 0.0 ? 1.0 / contact.distance : 0.0;
-    sidata.deltan = radius - contact.distance;
-    sidata.cri = radius - 0.5 * sidata.deltan;
+    sidata.deltan = rod.radius - contact.distance;
+    sidata.cri = rod.radius - 0.5 * sidata.deltan;
     sidata.crj = 0.0;
     store(contact.normal, sidata.en);
     store(contact.distance * contact.normal, sidata.delta);
-    // With shared <= the normals' cosine the sum is at least 1/m: see the test of mass_coupling.
     sidata.meff = 1.0 / (inverse_effective_mass(inverse, arm, contact.normal) + coupling);
     store(velocity_half_a_step_ago(load(atom->v[i]), load(atom->omega[i]), arm, update->dt),
           end_velocity);
-    store(wall_velocity(contact, vwall), end_wall_velocity);
+    store(wall.velocity_at(contact), end_wall_velocity);
 
     sidata.kn = sidata.kt = 0.0;  // a stock model need not set them
     models_[k].surfacesIntersect(sidata, i_forces, j_forces);
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;
-    monitor_.look(i, -1, sidata.kn, sidata.meff, sidata.deltan, 2.0 * radius);
+    monitor_.look(i, -1, sidata.kn, sidata.meff, sidata.deltan, 2.0 * rod.radius);
     if (ContactRates *rates = monitor_.rates())
       rates->add(i, 1.0, sidata.kn, has_tangential_ ? sidata.kt : 0.0, inverse,
-                 1.0 / atom->inertia[i][2], axis, arm, sidata.cri, contact.normal);
+                 1.0 / atom->inertia[i][2], rod.segment.axis, arm, sidata.cri, contact.normal);
 
     add_to(i_forces.delta_torque, cross(arm, load(i_forces.delta_F)));
     if (local)
-      local->add_wall_contact(*wall, k, sidata, i_forces,
-                              centre + arm - sidata.cri * contact.normal);
+      local->add_wall_contact(fix, k, sidata, i_forces,
+                              rod.segment.centre + arm - sidata.cri * contact.normal);
     add_contact_load(total.delta_F, total.delta_torque, 1.0, i_forces);
     normal_force += dot(load(i_forces.delta_F), contact.normal);
-    if (wall->heattransfer_flag()) wall->addHeatFlux(nullptr, i, radius, sidata.deltan, 1.0);
+    if (fix.heattransfer_flag()) fix.addHeatFlux(nullptr, i, rod.radius, sidata.deltan, 1.0);
   }
 
   if (sidata.computeflag) add_contact_load(atom->f[i], atom->torque[i], 1.0, total);
-  report(*wall, sidata, total, normal_force);
+  report(fix, sidata, total, normal_force);
 }
 
 // Hands the rod's whole wall load to whatever stock command has asked for it.
 template <typename ContactModel>
-void GranularSpherocylinder<ContactModel>::report(FixWallGran &wall,
+void GranularSpherocylinder<ContactModel>::report(FixWallGran &fix,
                                                   const SurfacesIntersectData &sidata,
                                                   const ForceData &total,
                                                   double normal_force) const
 {
   const int i = sidata.i;
-  if (sidata.computeflag && wall.store_sum_normal_force())
-    *wall.get_sum_normal_force_ptr(i) += normal_force;
-  if (wall.store_force_contact() && update->ntimestep % wall.store_force_contact_every() == 0)
-    wall.add_contactforce_wall(i, total, 0);
-  if (wall.store_force_contact_stress())
-    wall.add_contactforce_stress_wall(i, total, sidata.delta, sidata.v_j, 0);
-  if (wall.store_force())
-    spherocylinder::add_to(wall.fix_wallforce()->array_atom[i],
+  if (sidata.computeflag && fix.store_sum_normal_force())
+    *fix.get_sum_normal_force_ptr(i) += normal_force;
+  if (fix.store_force_contact() && update->ntimestep % fix.store_force_contact_every() == 0)
+    fix.add_contactforce_wall(i, total, 0);
+  if (fix.store_force_contact_stress())
+    fix.add_contactforce_stress_wall(i, total, sidata.delta, sidata.v_j, 0);
+  if (fix.store_force())
+    spherocylinder::add_to(fix.fix_wallforce()->array_atom[i],
                            spherocylinder::load(total.delta_F));
 }
 

@@ -13,6 +13,11 @@ using spherocylinder::Vec3;
 
 namespace {
 
+Vec3 along(int axis)
+{
+  return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+}
+
 Vec3 way_to_wall(PrimitiveWall &wall, double x, double y, double z)
 {
   double at[3] = {x, y, z}, way[3] = {0.0, 0.0, 0.0};
@@ -30,7 +35,7 @@ WallSurface plane(PrimitiveWall &wall)
     way = way_to_wall(wall, base, base, base);
   }
   const int axis = way.x != 0.0 ? 0 : way.y != 0.0 ? 1 : 2;
-  return {false, axis, Vec3{base, base, base} + way, 0.0};
+  return {false, along(axis), Vec3{base, base, base} + way, 0.0};
 }
 
 WallSurface cylinder(PrimitiveWall &wall)
@@ -39,7 +44,7 @@ WallSurface cylinder(PrimitiveWall &wall)
   wall.calcRadialDistance(origin, radial);
   // LIGGGHTS gives x and z of a ycylinder in each other's place.
   if (wall.axis() == 1) std::swap(radial[0], radial[2]);
-  WallSurface surface{true, wall.axis(), -load(radial), 0.0};
+  WallSurface surface{true, along(wall.axis()), -load(radial), 0.0};
 
   // From a point off the axis the way to the wall is along the radius, outwards or inwards.
   const Vec3 off_axis = surface.point + Vec3{1.0, 1.0, 1.0};

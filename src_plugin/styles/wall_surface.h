@@ -1,36 +1,99 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "core/vec3.h"
+#include "core/capsule.h"
 
 namespace LAMMPS_NS {
 
 class PrimitiveWall;
 
+// An end sphere of a rod against a wall.
+struct EndContact {
+  double distance;              // of the end from the surface, negative once it is through (m)
+  spherocylinder::Vec3 normal;  // unit, from the wall to the rod's side of it
+  spherocylinder::Vec3 radial;  // cylinders: from the cylinder's axis to the end (m)
+};
+
+// The two ends of a rod, or the one of a sphere.
+struct RodEnds {
+  int count;                     // 0: no side of the wall can be told to be the rod's
+  spherocylinder::Vec3 arms[2];  // from the rod's centre: at -u and at +u (m)
+  EndContact contacts[2];
+
+  bool touch(double radius) const
+  {
+    return (count > 0 && contacts[0].distance <= radius) ||
+           (count > 1 && contacts[1].distance <= radius);
+  }
+};
+
 // A wall that rods can touch with their ends, in numbers: a plane at right angles to a coordinate
 // axis, or the inside of a cylinder along one.
 struct WallSurface {
   bool is_cylinder;
-  int axis;                   // 0, 1, 2: the plane's normal, or the cylinder's axis
-  spherocylinder::Vec3 point; // on the plane, or on the cylinder's axis (m)
-  double radius;              // of the cylinder (m)
+  spherocylinder::Vec3 direction;  // unit: of the plane's normal, or of the cylinder's axis
+  spherocylinder::Vec3 point;      // on the plane, or on the cylinder's axis (m)
+  double radius;                   // of the cylinder (m)
 
   // From the cylinder's axis to a point (m).
-  spherocylinder::Vec3 radial(const spherocylinder::Vec3 &at) const
+  SPHEROCYLINDER_INLINE spherocylinder::Vec3 radial(const spherocylinder::Vec3 &at) const
   {
-    spherocylinder::Vec3 r = at - point;
-    (axis == 0 ? r.x : axis == 1 ? r.y : r.z) = 0.0;
-    return r;
+    return {(1.0 - direction.x) * (at.x - point.x), (1.0 - direction.y) * (at.y - point.y),
+            (1.0 - direction.z) * (at.z - point.z)};
   }
   // Of a point from the plane, signed, along the coordinate axis (m).
-  double height(const spherocylinder::Vec3 &at) const
+  SPHEROCYLINDER_INLINE double height(const spherocylinder::Vec3 &at) const
   {
-    const spherocylinder::Vec3 r = at - point;
-    return axis == 0 ? r.x : axis == 1 ? r.y : r.z;
+    return dot(at - point, direction);
   }
-  spherocylinder::Vec3 unit() const
+  // Of a vector's part along the plane's normal, or at right angles to the cylinder's axis.
+  double size_across(const spherocylinder::Vec3 &a) const
   {
-    return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+    const double along = dot(a, direction);
+    return is_cylinder ? norm(a - along * direction) : std::fabs(along);
+  }
+  // Whether a rod's centre is where no rod of this wall belongs.
+  SPHEROCYLINDER_INLINE bool is_outside(const spherocylinder::Vec3 &centre) const
+  {
+    return is_cylinder && norm_squared(radial(centre)) > radius * radius;
+  }
+  // Of a bounding sphere from the surface, negative if they cut (m).
+  double gap_of_sphere(const spherocylinder::Vec3 &centre, double bounding_radius) const
+  {
+    const double distance = is_cylinder ? norm(radial(centre)) - radius : height(centre);
+    return std::fabs(distance) - bounding_radius;
+  }
+
+  // An end that is through the wall while the rod's centre is not belongs to the centre's side; a
+  // centre in the plane has none.
+  SPHEROCYLINDER_INLINE RodEnds ends_of(const spherocylinder::Capsule &rod) const
+  {
+    const spherocylinder::Segment &segment = rod.segment;
+    RodEnds ends;
+    ends.count = segment.half_length > 0.0 ? 2 : 1;
+    ends.arms[0] = -segment.half_length * segment.axis;
+    ends.arms[1] = segment.half_length * segment.axis;
+    if (is_cylinder) {
+      for (int k = 0; k < 2; k++) ends.contacts[k] = inside(segment.centre + ends.arms[k]);
+      return ends;
+    }
+    const double height_of_centre = height(segment.centre);
+    const spherocylinder::Vec3 normal = (height_of_centre > 0.0 ? 1.0 : -1.0) * direction;
+    if (height_of_centre == 0.0) ends.count = 0;
+    for (int k = 0; k < 2; k++)
+      ends.contacts[k] = {std::fabs(height_of_centre) + dot(ends.arms[k], normal), normal,
+                          spherocylinder::Vec3{0.0, 0.0, 0.0}};
+    return ends;
+  }
+
+ private:
+  // An end on the cylinder's axis touches nothing.
+  SPHEROCYLINDER_INLINE EndContact inside(const spherocylinder::Vec3 &end) const
+  {
+    const spherocylinder::Vec3 from_axis = radial(end);
+    const double distance = norm(from_axis);
+    const double inwards = distance > 0.0 ? -1.0 / distance : 0.0;
+    return {radius - distance, inwards * from_axis, from_axis};
   }
 };
 

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdio>
 #include <gtest/gtest.h>
+#include <vector>
 
 #include "core/mass_properties.h"
+#include "core/rotation_batch.h"
 #include "test_support.h"
 
 using namespace spherocylinder;
@@ -328,6 +330,136 @@ TEST(FreeRotation, PureSpinAndPureTumble)
   EXPECT_NEAR(norm(axis_of(tumbled) - Vec3{0.0, -std::sin(angle), std::cos(angle)}), 0.0,
               4 * kEpsilon);
   EXPECT_NEAR(norm(body_x(tumbled) - Vec3{1.0, 0.0, 0.0}), 0.0, 4 * kEpsilon);
+}
+
+namespace {
+
+void set(RodRotations &rods, int k, const Top &top, const Quaternion &q)
+{
+  const double inertia[] = {top.inertia_transverse, top.inertia_transverse, top.inertia_axial};
+  const double row[] = {q.w, q.x, q.y, q.z};
+  rods.set(k, top.angular_momentum, inertia, row);
+}
+
+// The larger of the half angles that a step precesses and spins.
+double half_angle(const Top &top, double dt)
+{
+  const double spin = dot(top.angular_momentum, axis_of(top.start)) *
+                      (1.0 / top.inertia_axial - 1.0 / top.inertia_transverse);
+  return 0.5 * dt * std::max(top.precession_rate(), std::fabs(spin));
+}
+
+}  // namespace
+
+// The rods of a batch are its lanes: each must come out as it does alone, whatever the others are.
+// Rods that turn too far are left to rotate_freely, and no others. Orientation and velocity differ
+// by rounding.
+TEST(FreeRotationBatch, EachRodTurnsAsItDoesAlone)
+{
+  double worst = 0.0, worst_omega = 0.0;
+  int taken = 0, left = 0;
+  RodRotations rods{};
+  RandomRods random(15485867);
+  for (int batch = 0; batch < 2000; batch++) {
+    std::vector<Top> tops;
+    const double dt = 1e-5;
+    for (int k = 0; k < kBatch; k++) {
+      Top top = random_top(random, kDiameters[random.below(5)], random.log_uniform(1.0, 100.0));
+      const double faster = random.log_uniform(1e-6, 10.0) / (top.rate() * dt);
+      top.angular_momentum = faster * top.angular_momentum;
+      tops.push_back(top);
+      set(rods, k, top, top.start);
+    }
+    rotate_freely(rods, dt);
+    for (int k = 0; k < kBatch; k++) {
+      const Top &top = tops[k];
+      const double half = half_angle(top, dt);
+      if (std::fabs(half - 0.1) > 1e-9) {
+        EXPECT_EQ(rods.uncertain[k] != 0.0, half > 0.1) << half;
+      }
+      if (rods.uncertain[k] != 0.0) {
+        left++;
+        continue;
+      }
+      taken++;
+      worst = std::max(worst, orientation_difference(rods.after(k), top.after(dt)));
+      const Vec3 omega = angular_velocity(top.angular_momentum, axis_of(top.after(dt)),
+                                          top.inertia_axial, top.inertia_transverse);
+      worst_omega = std::max(worst_omega, norm(rods.omega.get(k) - omega) * top.inertia_axial /
+                                              norm(top.angular_momentum));
+    }
+  }
+  std::printf("batch: axes %.1e, omega %.1e |L|/I_a; %d rods, %d left out\n", worst, worst_omega,
+              taken, left);
+  EXPECT_GT(taken, 10000);
+  EXPECT_GT(left, 1000);
+  EXPECT_LT(worst, 8 * kEpsilon);
+  EXPECT_LT(worst_omega, 8 * kEpsilon);
+}
+
+// As FreeRotation.PrecessesAtClosedFormRate.
+TEST(FreeRotationBatch, PrecessesAtClosedFormRate)
+{
+  constexpr int steps = 100000;
+  constexpr double dt = 1e-5;
+  RandomRods random(32452867);
+  RodRotations rods{};
+  std::vector<Top> tops;
+  for (int k = 0; k < kBatch; k++) {
+    Top top = random_top(random, 0.01, random.log_uniform(1.0, 100.0));
+    top.angular_momentum = (0.02 / (top.rate() * dt)) * top.angular_momentum;
+    tops.push_back(top);
+    set(rods, k, top, top.start);
+  }
+  for (int step = 0; step < steps; step++) {
+    rotate_freely(rods, dt);
+    for (int k = 0; k < kBatch; k++) {
+      ASSERT_EQ(rods.uncertain[k], 0.0);
+      set(rods, k, tops[k], rods.after(k));
+    }
+  }
+  double worst = 0.0;
+  for (int k = 0; k < kBatch; k++) {
+    const long double angle = static_cast<long double>(tops[k].precession_rate()) * dt * steps;
+    const Vec3 expected = turned(axis_of(tops[k].start), tops[k].precession_axis(), angle);
+    worst = std::max(worst, norm(axis_of(rods.before(k)) - expected));
+  }
+  std::printf("batch: axis error %.1e after %d steps\n", worst, steps);
+  EXPECT_LT(worst, steps * kEpsilon);
+}
+
+// An orientation that is off unit length, as a user's may be, is left to rotate_freely.
+TEST(FreeRotationBatch, OrientationOffUnitLengthIsLeftOut)
+{
+  RandomRods random(982451653);
+  RodRotations rods{};
+  for (int k = 0; k < kBatch; k++) {
+    Top top = random_top(random, 0.01, 10.0);
+    const double scale = k % 2 ? 1.0 + 1e-7 : 1.0 + 1e-10;
+    set(rods, k, top, {scale * top.start.w, scale * top.start.x, scale * top.start.y, scale * top.start.z});
+  }
+  rotate_freely(rods, 1e-9);
+  for (int k = 0; k < kBatch; k++) EXPECT_EQ(rods.uncertain[k] != 0.0, k % 2 == 1) << k;
+}
+
+TEST(FreeRotationBatch, AngularVelocities)
+{
+  RandomRods random(104395301);
+  RodRotations rods{};
+  for (int batch = 0; batch < 100; batch++) {
+    std::vector<Top> tops;
+    for (int k = 0; k < kBatch; k++) {
+      tops.push_back(random_top(random, kDiameters[random.below(5)], random.log_uniform(1.0, 100.0)));
+      set(rods, k, tops[k], tops[k].start);
+    }
+    angular_velocities(rods);
+    for (int k = 0; k < kBatch; k++) {
+      const Vec3 wanted = angular_velocity(tops[k].angular_momentum, axis_of(tops[k].start),
+                                           tops[k].inertia_axial, tops[k].inertia_transverse);
+      ASSERT_LE(norm(rods.omega.get(k) - wanted),
+                8 * kEpsilon * norm(tops[k].angular_momentum) / tops[k].inertia_axial);
+    }
+  }
 }
 
 TEST(Orientation, OfCoordinateAxes)

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "linear_model_values.h"
+
+#include <cstring>
+
+#include "contact_model_headers.h"
+#include "property_registry.h"
+
+using namespace LAMMPS_NS;
+using namespace spherocylinder;
+
+bool LinearModelValues::understand(int nargs, char **args)
+{
+  law.tangential_damping = true;
+  law.limit_force = aspect_scaling = false;
+  for (int k = 0; k + 1 < nargs; k += 2) {
+    const bool on = strcmp(args[k + 1], "on") == 0;
+    if (strcmp(args[k], "tangential_damping") == 0)
+      law.tangential_damping = on;
+    else if (strcmp(args[k], "limitForce") == 0)
+      law.limit_force = on;
+    else if (strcmp(args[k], "aspect_scaling") == 0)
+      aspect_scaling = on;
+    else if (strcmp(args[k], "spread_contact") != 0)
+      return false;
+  }
+  return true;
+}
+
+void LinearModelValues::connect(PropertyRegistry &registry, Tangential tangential)
+{
+  registry.connect("k_n", kn_, "model linear");
+  registry.connect("k_t", kt_, "model linear");
+  registry.connect("betaeff", beta_, "model linear");
+  friction_ = nullptr;
+  if (tangential != Tangential::Off) registry.connect("coeffFrict", friction_, "model linear");
+  law.tangential = tangential;
+}
+
+void LinearModelValues::set(LinearContacts &contacts, int k, int itype, int jtype,
+                            double scale) const
+{
+  contacts.stiffness[k] = scale * kn_[itype][jtype];
+  contacts.tangential_stiffness[k] = scale * kt_[itype][jtype];
+  contacts.two_beta[k] = -2.0 * beta_[itype][jtype];
+  contacts.friction[k] = friction_ ? friction_[itype][jtype] : 0.0;
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/linear_contact.h"
+
+class PropertyRegistry;
+
+namespace LAMMPS_NS {
+
+// What model linear's keywords and material properties come to, for batches of contacts.
+struct LinearModelValues {
+  spherocylinder::LinearLaw law{spherocylinder::Tangential::Off, true, false, 0.0};
+  bool aspect_scaling = false;
+
+  // Keywords behind the models. False if one of them needs the models themselves.
+  bool understand(int nargs, char **args);
+  // After the models have registered the properties.
+  void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential);
+  // Of contact k between materials itype and jtype; `scale`: of the stiffness.
+  void set(spherocylinder::LinearContacts &contacts, int k, int itype, int jtype,
+           double scale) const;
+
+ private:
+  double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
+};
+
+}  // namespace LAMMPS_NS
