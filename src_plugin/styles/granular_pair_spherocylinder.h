@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <type_traits>
 #include <vector>
 
 #include "atom.h"
+#include "batched_linear.h"
 #include "comm.h"
 #include "compute_gran_local_spherocylinder.h"
 #include "core/contact_kinematics.h"
@@ -30,24 +30,6 @@ namespace PairStyles {
 using namespace LAMMPS_NS;
 using ContactModels::ForceData;
 using ContactModels::SurfacesIntersectData;
-
-// The models that LinearPairForces can stand in for.
-template <typename ContactModel>
-struct BatchedLinear : std::false_type {
-  static constexpr spherocylinder::Tangential kTangential = spherocylinder::Tangential::Off;
-};
-template <int TANGENTIAL>
-struct BatchedLinear<ContactModels::ContactModel<
-    ContactModels::GranStyle<ContactModels::NORMAL_LINEAR, TANGENTIAL, ContactModels::COHESION_OFF,
-                             ContactModels::ROLLING_OFF, ContactModels::SURFACE_SPHEROCYLINDER>>> {
-  static constexpr bool value = TANGENTIAL == ContactModels::TANGENTIAL_OFF ||
-                                TANGENTIAL == ContactModels::TANGENTIAL_NO_HISTORY ||
-                                TANGENTIAL == ContactModels::TANGENTIAL_HISTORY;
-  static constexpr spherocylinder::Tangential kTangential =
-      TANGENTIAL == ContactModels::TANGENTIAL_HISTORY      ? spherocylinder::Tangential::History
-      : TANGENTIAL == ContactModels::TANGENTIAL_NO_HISTORY ? spherocylinder::Tangential::NoHistory
-                                                           : spherocylinder::Tangential::Off;
-};
 
 template <typename ContactModel>
 class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
@@ -80,7 +62,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     const bool understood = settings.parseArguments(n_others, others.data());
     model_.postSettings(hsetup);
     if (!understood) error->all(FLERR, settings.error_message.c_str());
-    batched_ = BatchedLinear<ContactModel>::value && linear_.understand(n_others, others.data());
+    batched_ = BatchedLinear<ContactModel>::value && linear_.values().understand(n_others, others.data());
     has_settings_ = true;
   }
 
@@ -97,7 +79,8 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     spring_offset_ = history_offset("shearx");
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(model_);
-    if (batched_) linear_.connect(force->registry, BatchedLinear<ContactModel>::kTangential);
+    if (batched_)
+      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential);
     close_pairs_.reset(*parent_, close_skin_);
     rods.pair_counts = &close_pairs_.counts();
   }

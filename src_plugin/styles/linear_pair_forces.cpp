@@ -2,47 +2,16 @@
 #include "linear_pair_forces.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "atom.h"
 #include "contact_model_headers.h"
 #include "neigh_list.h"
 #include "pair_gran.h"
-#include "property_registry.h"
 #include "rod_pair_geometry.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
-
-bool LinearPairForces::understand(int nargs, char **args)
-{
-  law_.tangential_damping = true;
-  law_.limit_force = aspect_scaling_ = false;
-  for (int k = 0; k + 1 < nargs; k += 2) {
-    const bool on = strcmp(args[k + 1], "on") == 0;
-    if (strcmp(args[k], "tangential_damping") == 0)
-      law_.tangential_damping = on;
-    else if (strcmp(args[k], "limitForce") == 0)
-      law_.limit_force = on;
-    else if (strcmp(args[k], "aspect_scaling") == 0)
-      aspect_scaling_ = on;
-    else if (strcmp(args[k], "spread_contact") != 0)
-      return false;
-  }
-  return true;
-}
-
-// The models have registered the properties.
-void LinearPairForces::connect(PropertyRegistry &registry, Tangential tangential)
-{
-  registry.connect("k_n", kn_, "model linear");
-  registry.connect("k_t", kt_, "model linear");
-  registry.connect("betaeff", beta_, "model linear");
-  friction_ = nullptr;
-  if (tangential != Tangential::Off) registry.connect("coeffFrict", friction_, "model linear");
-  law_.tangential = tangential;
-}
 
 void LinearPairForces::set_place(int k, const RodPairGeometry &place)
 {
@@ -77,14 +46,6 @@ void LinearPairForces::set_rods(int k, const Capsule &rod_i, const RodMotion &mo
   c.turning[k] = spheres ? 0.0 : 1.0;
 }
 
-void LinearPairForces::set_material(int k, int itype, int jtype, double scale)
-{
-  contacts_.stiffness[k] = scale * kn_[itype][jtype];
-  contacts_.tangential_stiffness[k] = scale * kt_[itype][jtype];
-  contacts_.two_beta[k] = -2.0 * beta_[itype][jtype];
-  contacts_.friction[k] = friction_ ? friction_[itype][jtype] : 0.0;
-}
-
 void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
                                const std::vector<Capsule> &rods,
                                const std::vector<RodMotion> &motions, HistoryOffsets offsets,
@@ -101,7 +62,7 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
   const int flag = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |
                    (has_spring ? LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL : 0);
   LinearContacts &c = contacts_;
-  law_.dt = update->dt;  // a fix may change it during a run
+  values_.law.dt = update->dt;  // a fix may change it during a run
 
   for (const CloseRodPairs::Entry &entry : pairs.parted()) {
     first_flags[entry.i][entry.index] = 0;
@@ -131,11 +92,11 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
         set_place(k, closest_geometry(touch, rod_i.radius + rod_j.radius));
       }
       set_rods(k, rod_i, motions[i], rod_j, motions[j]);
-      const double scale = aspect_scaling_ ? mean_aspect_ratio(rod_i, rod_j) : 1.0;
-      set_material(k, type[i], type[j], scale);
+      values_.set(c, k, type[i], type[j],
+                  values_.aspect_scaling ? mean_aspect_ratio(rod_i, rod_j) : 1.0);
     }
 
-    linear_contacts(c, law_);
+    linear_contacts(c, values_.law);
 
     for (int k = 0; k < count; k++) {
       const TouchingRodPairs::Touch &touch = touching[start + k];

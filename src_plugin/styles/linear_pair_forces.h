@@ -5,11 +5,10 @@
 
 #include "core/contact_kinematics.h"
 #include "core/linear_contact.h"
+#include "linear_model_values.h"
 #include "pointers.h"
 #include "rod_contact.h"
 #include "touching_rod_pairs.h"
-
-class PropertyRegistry;
 
 namespace LAMMPS_NS {
 
@@ -27,7 +26,7 @@ struct HistoryOffsets {
   int side, spring;
 };
 
-// What model linear's keywords and properties come to, for the batched contact loop.
+// The batched contact loop of model linear.
 //
 // LIGGGHTS's contact models are called once a contact, each through a common record. For the
 // combination most decks with rods use (linear; tangential off, no_history or history; no cohesion,
@@ -38,9 +37,7 @@ class LinearPairForces : protected Pointers {
  public:
   explicit LinearPairForces(LAMMPS *lmp) : Pointers(lmp) {}
 
-  // Keywords of pair_style gran behind the models. False if one of them needs the models' own loop.
-  bool understand(int nargs, char **args);
-  void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential);
+  LinearModelValues &values() { return values_; }
 
   // Adds the forces and torques of all touching pairs to their rods, and keeps the histories.
   void compute(PairGran &pair, const TouchingRodPairs &pairs,
@@ -49,17 +46,13 @@ class LinearPairForces : protected Pointers {
                ContactMonitor &monitor);
 
  private:
-  spherocylinder::LinearLaw law_{spherocylinder::Tangential::Off, true, false, 0.0};
-  bool aspect_scaling_ = false;
-  double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
+  LinearModelValues values_;
   spherocylinder::LinearContacts contacts_{};
 
-  // What goes into contact k of the batch. `scale`: 1 or, with aspect_scaling, the harmonic mean of
-  // the aspect ratios.
+  // What goes into contact k of the batch.
   void set_place(int k, const RodPairGeometry &place);
   void set_rods(int k, const spherocylinder::Capsule &rod_i, const RodMotion &motion_i,
                 const spherocylinder::Capsule &rod_j, const RodMotion &motion_j);
-  void set_material(int k, int itype, int jtype, double scale);
 };
 
 }  // namespace LAMMPS_NS
