@@ -10,6 +10,7 @@
 #include "core/mass_properties.h"
 #include "domain.h"
 #include "error.h"
+#include "far_rods.h"
 #include "fix.h"
 #include "memory.h"
 #include "modify.h"
@@ -73,7 +74,7 @@ void AtomVecSpherocylinder::init()
   AtomVec::init();
   check_atom_style_is_alone(lmp);
   check_rods_after_set(lmp, *this);
-  check_rods_fit_periodic_box(lmp);
+  images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, true);
   check_templates_make_rods(lmp);
   check_contact_styles_know_rods(lmp);
   check_computes_know_rods(lmp);
@@ -193,6 +194,19 @@ void AtomVecSpherocylinder::copy(int i, int j, int delflag)
 
   for (int iextra = 0; iextra < atom->nextra_grow; iextra++)
     modify->fix[atom->extra_grow[iextra]]->copy_arrays(i, j, delflag);
+}
+
+// LIGGGHTS calls this before rods go from rank to rank, when box and cuts are new and histories with
+// their rods: at each rebuild of the lists.
+void AtomVecSpherocylinder::clear_bonus()
+{
+  if (is_handing_over_) return;
+  if (domain->box_change_size || domain->box_change_shape)
+    images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, !images_may_touch_twice_);
+  if (images_may_touch_twice_) check_pairs_touch_once(lmp);
+  is_handing_over_ = true;
+  hand_over_far_rods(lmp);
+  is_handing_over_ = false;
 }
 
 /* ----------------------------------------------------------------------

@@ -40,6 +40,7 @@ class AtomVecSpherocylinder : public AtomVec {
   void grow(int n) override;
   void grow_reset() override;
   void copy(int i, int j, int delflag) override;
+  void clear_bonus() override;
 
   int pack_comm(int n, int *list, double *buf, int pbc_flag, int *pbc) override;
   int pack_comm_vel(int n, int *list, double *buf, int pbc_flag, int *pbc) override;
@@ -96,6 +97,8 @@ class AtomVecSpherocylinder : public AtomVec {
   double **shape, **blockiness, **inertia, **quaternion;
   ContactRates contact_rates_;
   std::unique_ptr<RodInsertionList> insertion_list_;
+  bool images_may_touch_twice_ = false;
+  bool is_handing_over_ = false;
 
   struct PeriodicShift {
     double dx[3] = {0.0, 0.0, 0.0};

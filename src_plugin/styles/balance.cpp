@@ -26,14 +26,12 @@ void Balance::command(int narg, char **arg)
   domain->reset_box();
   comm->exchange();
 
-  // A shift brings each cut at most past the next one; the furthest has to pass all of them.
   const double before = cuts.imbalance();
-  double after = before;
-  for (int pass = 0; pass < comm->nprocs && after > cuts.threshold() && cuts.shift(); pass++) {
+  if (before > cuts.threshold() && cuts.shift()) {
     domain->set_local_box();
     comm->exchange();
-    after = cuts.imbalance();
   }
+  const double after = cuts.imbalance();
   comm->setup();
   comm->borders();
 

@@ -80,22 +80,17 @@ SubdomainCuts::SubdomainCuts(LAMMPS *lmp, const std::string &who, int narg, char
     rod_error_all(lmp, "%s: stopthresh must be >= 1 (got %s)", begin, arg[4]);
 }
 
-double SubdomainCuts::skin_fraction(int dimension) const
-{
-  return lmp_->neighbor->skin / lmp_->domain->prd[dimension];
-}
-
 void SubdomainCuts::init() const
 {
   if (lmp_->domain->triclinic)
     rod_error_all(lmp_, "%s requires an orthogonal box (got a triclinic one)", who_.c_str());
   for (const int d : dimensions_) {
     const int parts = lmp_->comm->procgrid[d];
-    const double room = lmp_->domain->prd[d] / parts, least = 2.0 * lmp_->neighbor->skin;
+    const double room = lmp_->domain->prd[d] / parts, least = lmp_->neighbor->skin;
     if (parts > 1 && room < least)
       rod_error_all(lmp_,
                     "%s: the box is cut into %d parts in %c, on average %g long, wanted at least "
-                    "two neighbour skins, %g",
+                    "the neighbour skin, %g",
                     who_.c_str(), parts, 'x' + d, room, least);
   }
 }
@@ -150,38 +145,29 @@ std::vector<double> SubdomainCuts::equal_cuts(int dimension,
   return best;
 }
 
-// With w = two skins: targets are spread to be w apart; then each is held between where its
-// neighbours were, one skin off. Those bounds are as far apart as the old cuts were, so that the
-// new cuts are again w apart wherever the old ones were.
 bool SubdomainCuts::shift_along(int dimension) const
 {
   const Comm &comm = *lmp_->comm;
   double *split = splits(comm, dimension);
   const int parts = comm.procgrid[dimension];
-  const double skin = skin_fraction(dimension), least = 2.0 * skin;
+  const double least = lmp_->neighbor->skin / lmp_->domain->prd[dimension];
   if (parts * least > 1.0)
     rod_error_all(lmp_,
-                  "%s: the box has become too short in %c, %g for %d parts of at least two "
-                  "neighbour skins, %g",
+                  "%s: the box has become too short in %c, %g for %d parts of at least the "
+                  "neighbour skin, %g",
                   who_.c_str(), 'x' + dimension, lmp_->domain->prd[dimension], parts,
-                  2.0 * lmp_->neighbor->skin);
-
-  const std::vector<double> old_cuts(split + 1, split + parts);
-  std::vector<double> target = {0.0};
-  for (const double cut : equal_cuts(dimension, old_cuts)) target.push_back(cut);
-  target.push_back(1.0);
-  for (int c = 1; c < parts; c++) target[c] = std::max(target[c], target[c - 1] + least);
-  for (int c = parts - 1; c > 0; c--) target[c] = std::min(target[c], target[c + 1] - least);
+                  lmp_->neighbor->skin);
 
   const std::vector<double> old(split, split + parts + 1);
-  bool moved = false;
-  for (int c = 1; c < parts; c++) {
-    const double lowest = old[c - 1] + skin, highest = old[c + 1] - skin;
-    split[c] = std::min(std::max(target[c], lowest), highest);
-    moved = moved || split[c] != old[c];
-  }
-  if (moved) lmp_->comm->uniform = 0;
-  return moved;
+  std::vector<double> cuts = old;
+  const std::vector<double> inner = equal_cuts(dimension, {old.begin() + 1, old.end() - 1});
+  std::copy(inner.begin(), inner.end(), cuts.begin() + 1);
+  for (int c = 1; c < parts; c++) cuts[c] = std::max(cuts[c], cuts[c - 1] + least);
+  for (int c = parts - 1; c > 0; c--) cuts[c] = std::min(cuts[c], cuts[c + 1] - least);
+  if (cuts == old) return false;
+  std::copy(cuts.begin(), cuts.end(), split);
+  lmp_->comm->uniform = 0;
+  return true;
 }
 
 std::string SubdomainCuts::text() const

@@ -11,10 +11,8 @@ class LAMMPS;
 // Where the box is cut into the ranks' subdomains: the splits of LIGGGHTS's Comm, moved along one
 // dimension after the other until the slabs between them hold equal numbers of rods.
 //
-// Cuts are fractions of the box, 0 and 1 at its ends. A cut stays two skins away from the next and
-// moves, in one shift, no further than one skin from where its neighbours were, so that each rod
-// belongs to its old rank or to one beside it and Comm::exchange can hand it over, history and
-// all. Where a cut must go further, several shifts do it.
+// Cuts are fractions of the box, 0 and 1 at its ends. They stay a neighbour skin apart. Rods that
+// belong further away than to the next rank then are handed over by the atom style (far_rods.h).
 class SubdomainCuts {
  public:
   // arg: thresh shift dimstr Niter stopthresh. `who` begins the messages ("Fix balance (id b)").
@@ -44,7 +42,6 @@ class SubdomainCuts {
   int iterations_ = 0;           // bisections at most
   std::vector<int> dimensions_;
 
-  double skin_fraction(int dimension) const;
   bool shift_along(int dimension) const;
   std::vector<double> equal_cuts(int dimension, const std::vector<double> &old_cuts) const;
 };

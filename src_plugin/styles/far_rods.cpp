@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "far_rods.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "irregular.h"
+#include "lammps.h"
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+// The part of the box along one dimension that holds x, counted from the part `from`.
+int part_of(double x, double lo, double length, const double *splits, int parts, int from)
+{
+  int part = from;
+  while (part > 0 && x < lo + length * splits[part]) part--;
+  while (part < parts - 1 && x >= lo + length * splits[part + 1]) part++;
+  return part;
+}
+
+// The first part is beside the last, whether the box is periodic or not: so are their ranks.
+bool any_is_far(LAMMPS *lmp)
+{
+  const Comm &comm = *lmp->comm;
+  const Domain &domain = *lmp->domain;
+  const bool lamda = domain.triclinic != 0;  // positions are in lamda coordinates then
+  const double *const lo = lamda ? domain.boxlo_lamda : domain.boxlo;
+  const double *const length = lamda ? domain.prd_lamda : domain.prd;
+  const double *const splits[3] = {comm.xsplit, comm.ysplit, comm.zsplit};
+  for (int d = 0; d < 3; d++) {
+    const int parts = comm.procgrid[d], mine = comm.myloc[d];
+    if (parts <= 3) continue;
+    for (int i = 0; i < lmp->atom->nlocal; i++) {
+      const int part = part_of(lmp->atom->x[i][d], lo[d], length[d], splits[d], parts, mine);
+      const int way = std::abs(part - mine);
+      if (std::min(way, parts - way) > 1) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void LAMMPS_NS::hand_over_far_rods(LAMMPS *lmp)
+{
+  const int *grid = lmp->comm->procgrid;
+  if (std::max({grid[0], grid[1], grid[2]}) <= 3) return;
+  const int mine = any_is_far(lmp);
+  int any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp->world);
+  if (any) Irregular(lmp).migrate_atoms();
+}
