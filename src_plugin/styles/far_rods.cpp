@@ -11,10 +11,15 @@
 #include "domain.h"
 #include "irregular.h"
 #include "lammps.h"
+#include "rod_checks.h"
 
 using namespace LAMMPS_NS;
 
 namespace {
+
+// Irregular's buffer has room for 1,000 numbers of a rod beyond what it has grown to. Contacts with
+// other rods may need more; a rod's state and its contacts with walls need less than 100.
+constexpr int kRoomForContacts = 900;
 
 // The part of the box along one dimension that holds x, counted from the part `from`.
 int part_of(double x, double lo, double length, const double *splits, int parts, int from)
@@ -52,8 +57,14 @@ void LAMMPS_NS::hand_over_far_rods(LAMMPS *lmp)
 {
   const int *grid = lmp->comm->procgrid;
   if (std::max({grid[0], grid[1], grid[2]}) <= 3) return;
-  const int mine = any_is_far(lmp);
-  int any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp->world);
-  if (any) Irregular(lmp).migrate_atoms();
+  const int mine[2] = {any_is_far(lmp), lmp->comm->maxexchange_fix};
+  int most[2] = {0, 0};  // whether any is far, numbers of a rod's contacts
+  MPI_Allreduce(mine, most, 2, MPI_INT, MPI_MAX, lmp->world);
+  if (!most[0]) return;
+  if (most[1] > kRoomForContacts)
+    rod_error_all(lmp,
+                  "Atom style spherocylinder: a rod would go past the next rank while rods have up to "
+                  "%d numbers in their contact histories, wanted at most %d; use fewer processors",
+                  most[1], kRoomForContacts);
+  Irregular(lmp).migrate_atoms();
 }
