@@ -109,6 +109,8 @@ class AtomVecSpherocylinder : public AtomVec {
   template <bool VELOCITY>
   int pack_forward(int n, int *list, double *buf, int pbc_flag, int *pbc);
   template <bool VELOCITY>
+  void unpack_forward(int n, int first, const double *buf);
+  template <bool VELOCITY>
   int pack_ghosts(int n, int *list, double *buf, int pbc_flag, int *pbc);
   template <bool VELOCITY>
   void unpack_ghosts(int n, int first, double *buf);
