@@ -6,14 +6,17 @@
 #include <string>
 
 #include "atom.h"
+#include "input.h"
 #include "lammps.h"
 #include "modify.h"
 #include "loader/member_access.h"
 #include "styles/atom_vec_spherocylinder.h"
+#include "styles/balance.h"
 #include "styles/compute_contact_spherocylinder.h"
 #include "styles/compute_erotate_spherocylinder.h"
 #include "styles/compute_gran_local_spherocylinder.h"
 #include "styles/contact_styles.h"
+#include "styles/fix_balance.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_nve_spherocylinder.h"
@@ -26,6 +29,7 @@ namespace spherocylinder {
 
 using FixCreator = Fix *(*) (LAMMPS *, int, char **);
 using ComputeCreator = Compute *(*) (LAMMPS *, int, int, char **);
+using CommandCreator = void (*)(LAMMPS *, int, char **);
 
 // Not in an unnamed namespace: ExposeMember's friend is looked up beside these.
 struct FixMap {
@@ -37,8 +41,14 @@ struct ComputeMap {
   friend type member(ComputeMap);
 };
 
+struct CommandMap {
+  using type = std::map<std::string, CommandCreator> *Input::*;
+  friend type member(CommandMap);
+};
+
 template struct ExposeMember<FixMap, &Modify::fix_map>;
 template struct ExposeMember<ComputeMap, &Modify::compute_map>;
+template struct ExposeMember<CommandMap, &Input::command_map>;
 
 namespace {
 
@@ -54,7 +64,15 @@ Compute *create_compute(LAMMPS *lmp, int iarg, int narg, char **arg)
   return new T(lmp, iarg, narg, arg);
 }
 
+<<<<<<< HEAD
 bool has_rods(LAMMPS *lmp) { return dynamic_cast<AtomVecSpherocylinder *>(lmp->atom->avec); }
+=======
+template <typename T>
+void run_command(LAMMPS *lmp, int narg, char **arg)
+{
+  T(lmp).command(narg, arg);
+}
+>>>>>>> mpi4
 
 // LIGGGHTS's own where there are no rods.
 Fix *create_wall(LAMMPS *lmp, int narg, char **arg)
@@ -78,8 +96,10 @@ void add_styles(LAMMPS *lmp)
 
   auto &fixes = *(lmp->modify->*member(FixMap()));
   auto &computes = *(lmp->modify->*member(ComputeMap()));
+  auto &commands = *(lmp->input->*member(CommandMap()));
 #define FIX_CLASS
 #define FixStyle(key, Class) fixes[#key] = &create_fix<Class>;
+#include "styles/fix_balance.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_nve_spherocylinder.h"
@@ -93,6 +113,11 @@ void add_styles(LAMMPS *lmp)
 #include "styles/compute_erotate_spherocylinder.h"
 #undef ComputeStyle
 #undef COMPUTE_CLASS
+#define COMMAND_CLASS
+#define CommandStyle(key, Class) commands[#key] = &run_command<Class>;
+#include "styles/balance.h"
+#undef CommandStyle
+#undef COMMAND_CLASS
   computes["pair/gran/local"] = computes["wall/gran/local"] = &create_gran_local;
 }
 
@@ -112,7 +137,7 @@ const char *banner()
   return "Sphero-cylinders for LIGGGHTS " SPHEROCYLINDER_VERSION
          ": atom_style spherocylinder, surface spherocylinder, model linear, "
          "fix nve/spherocylinder limit/omega check/timestep/spherocylinder "
-         "particletemplate/spherocylinder, "
+         "particletemplate/spherocylinder balance, command balance, "
          "compute erotate/spherocylinder contact/spherocylinder\n";
 }
 

@@ -8,8 +8,8 @@ class LAMMPS;
 
 namespace spherocylinder {
 
-// Adds this plug-in's fixes and computes to one LAMMPS object, and its contact models to the
-// process. Fixes and computes are gone with the object, so `clear` asks for them again.
+// Adds this plug-in's fixes, computes and commands to one LAMMPS object, and its contact models to the
+// process. They are gone with the object, so `clear` asks for them again.
 void add_styles(LAMMPS_NS::LAMMPS *lmp);
 
 // The atom style of that name if it is one of ours, null otherwise.

@@ -10,6 +10,7 @@
 #include "core/mass_properties.h"
 #include "domain.h"
 #include "error.h"
+#include "far_rods.h"
 #include "fix.h"
 #include "memory.h"
 #include "modify.h"
@@ -28,14 +29,14 @@ constexpr double kAxisTolerance = 1e-5;
 
 double *put(double *buf, const double *values, int n)
 {
-  for (int k = 0; k < n; k++) *buf++ = values[k];
-  return buf;
+  memcpy(buf, values, n * sizeof(double));
+  return buf + n;
 }
 
 const double *get(const double *buf, double *values, int n)
 {
-  for (int k = 0; k < n; k++) values[k] = *buf++;
-  return buf;
+  memcpy(values, buf, n * sizeof(double));
+  return buf + n;
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ void AtomVecSpherocylinder::init()
   AtomVec::init();
   check_atom_style_is_alone(lmp);
   check_rods_after_set(lmp, *this);
-  check_rods_fit_periodic_box(lmp);
+  images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, true);
   check_templates_make_rods(lmp);
   check_contact_styles_know_rods(lmp);
   check_computes_know_rods(lmp);
@@ -195,6 +196,19 @@ void AtomVecSpherocylinder::copy(int i, int j, int delflag)
     modify->fix[atom->extra_grow[iextra]]->copy_arrays(i, j, delflag);
 }
 
+// LIGGGHTS calls this before rods go from rank to rank, when box and cuts are new and histories with
+// their rods: at each rebuild of the lists.
+void AtomVecSpherocylinder::clear_bonus()
+{
+  if (is_handing_over_) return;
+  if (domain->box_change_size || domain->box_change_shape)
+    images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, !images_may_touch_twice_);
+  if (images_may_touch_twice_) check_pairs_touch_once(lmp);
+  is_handing_over_ = true;
+  hand_over_far_rods(lmp);
+  is_handing_over_ = false;
+}
+
 /* ----------------------------------------------------------------------
    the rod itself
 ------------------------------------------------------------------------- */
@@ -249,21 +263,36 @@ AtomVecSpherocylinder::PeriodicShift AtomVecSpherocylinder::periodic_shift(const
 // Velocity and spin of a ghost of rod j.
 double *AtomVecSpherocylinder::put_motion(double *out, int j, const PeriodicShift &shift) const
 {
-  const bool remap = mask[j] & deform_groupbit;
-  for (int d = 0; d < 3; d++) *out++ = v[j][d] + (remap ? shift.dv[d] : 0.0);
-  return put(out, omega[j], 3);
+  put(out, v[j], 3);
+  if (deform_vremap && (mask[j] & deform_groupbit))
+    for (int d = 0; d < 3; d++) out[d] += shift.dv[d];
+  return put(out + 3, omega[j], 3);
 }
 
+// LIGGGHTS's arrays are in one piece: of ghosts by the thousand, their rows are worked out rather
+// than looked up.
 template <bool VELOCITY>
 int AtomVecSpherocylinder::pack_forward(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
+  if (n == 0) return 0;
   const PeriodicShift shift = pbc_flag ? periodic_shift(pbc, false) : PeriodicShift();
+  const double sx = shift.dx[0], sy = shift.dx[1], sz = shift.dx[2];
+  const double *const positions = x[0], *const quaternions = quaternion[0];
+  const double *const velocities = v[0], *const omegas = omega[0];
+  const bool remaps = deform_vremap && pbc_flag;
   double *out = buf;
   for (int k = 0; k < n; k++) {
-    const int j = list[k];
-    for (int d = 0; d < 3; d++) *out++ = x[j][d] + shift.dx[d];
-    out = put(out, quaternion[j], 4);
-    if (VELOCITY) out = put_motion(out, j, shift);
+    const size_t j = list[k];
+    const double *position = positions + 3 * j;
+    out[0] = position[0] + sx;
+    out[1] = position[1] + sy;
+    out[2] = position[2] + sz;
+    out = put(out + 3, quaternions + 4 * j, 4);
+    if (!VELOCITY) continue;
+    put(out, velocities + 3 * j, 3);
+    if (remaps && (mask[j] & deform_groupbit))
+      for (int d = 0; d < 3; d++) out[d] += shift.dv[d];
+    out = put(out + 3, omegas + 3 * j, 3);
   }
   return static_cast<int>(out - buf);
 }
@@ -278,24 +307,30 @@ int AtomVecSpherocylinder::pack_comm_vel(int n, int *list, double *buf, int pbc_
   return pack_forward<true>(n, list, buf, pbc_flag, pbc);
 }
 
+template <bool VELOCITY>
+void AtomVecSpherocylinder::unpack_forward(int n, int first, const double *buf)
+{
+  if (n == 0) return;
+  double *position = x[first], *orientation = quaternion[first];
+  double *velocity = v[first], *spin = omega[first];
+  const double *in = buf;
+  for (int k = 0; k < n; k++) {
+    in = get(in, position + 3 * k, 3);
+    in = get(in, orientation + 4 * k, 4);
+    if (!VELOCITY) continue;
+    in = get(in, velocity + 3 * k, 3);
+    in = get(in, spin + 3 * k, 3);
+  }
+}
+
 void AtomVecSpherocylinder::unpack_comm(int n, int first, double *buf)
 {
-  const double *in = buf;
-  for (int i = first; i < first + n; i++) {
-    in = get(in, x[i], 3);
-    in = get(in, quaternion[i], 4);
-  }
+  unpack_forward<false>(n, first, buf);
 }
 
 void AtomVecSpherocylinder::unpack_comm_vel(int n, int first, double *buf)
 {
-  const double *in = buf;
-  for (int i = first; i < first + n; i++) {
-    in = get(in, x[i], 3);
-    in = get(in, quaternion[i], 4);
-    in = get(in, v[i], 3);
-    in = get(in, omega[i], 3);
-  }
+  unpack_forward<true>(n, first, buf);
 }
 
 int AtomVecSpherocylinder::pack_reverse(int n, int first, double *buf)

@@ -40,6 +40,7 @@ class AtomVecSpherocylinder : public AtomVec {
   void grow(int n) override;
   void grow_reset() override;
   void copy(int i, int j, int delflag) override;
+  void clear_bonus() override;
 
   int pack_comm(int n, int *list, double *buf, int pbc_flag, int *pbc) override;
   int pack_comm_vel(int n, int *list, double *buf, int pbc_flag, int *pbc) override;
@@ -102,6 +103,8 @@ class AtomVecSpherocylinder : public AtomVec {
   double **shape, **blockiness, **inertia, **quaternion;
   ContactRates contact_rates_;
   std::unique_ptr<RodInsertionList> insertion_list_;
+  bool images_may_touch_twice_ = false;
+  bool is_handing_over_ = false;
 
   struct PeriodicShift {
     double dx[3] = {0.0, 0.0, 0.0};
@@ -111,6 +114,8 @@ class AtomVecSpherocylinder : public AtomVec {
   double *put_motion(double *out, int j, const PeriodicShift &shift) const;
   template <bool VELOCITY>
   int pack_forward(int n, int *list, double *buf, int pbc_flag, int *pbc);
+  template <bool VELOCITY>
+  void unpack_forward(int n, int first, const double *buf);
   template <bool VELOCITY>
   int pack_ghosts(int n, int *list, double *buf, int pbc_flag, int *pbc);
   template <bool VELOCITY>

@@ -2,6 +2,7 @@
 #include "rod_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
+#include "fix_contact_history.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "group.h"
@@ -51,6 +53,20 @@ bigint count_rods(LAMMPS *lmp, int any_of, int all_of)
     if ((atom->mask[i] & any_of) && (atom->mask[i] & all_of) == all_of) local++;
   MPI_Allreduce(&local, &total, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
   return total;
+}
+
+// Ids and numbers that make up a message; the first, an id, is 0 if there is nothing to say.
+using Found = std::array<int, 2>;
+
+// What the first rank that has found something has found.
+Found found_by_any(LAMMPS *lmp, Found found)
+{
+  const int mine = found[0] ? lmp->comm->me : lmp->comm->nprocs;
+  int first = 0;
+  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, lmp->world);
+  if (first == lmp->comm->nprocs) return found;
+  MPI_Bcast(found.data(), static_cast<int>(found.size()), MPI_INT, first, lmp->world);
+  return found;
 }
 
 }  // namespace
@@ -127,7 +143,7 @@ void LAMMPS_NS::check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods)
 
 // A rod must not reach its own image, and of two rods only one pair of images may touch at a time:
 // LIGGGHTS tells contact histories apart by the rods' ids.
-void LAMMPS_NS::check_rods_fit_periodic_box(LAMMPS *lmp)
+bool LAMMPS_NS::check_rods_fit_periodic_box(LAMMPS *lmp, bool warn)
 {
   const Domain *domain = lmp->domain;
   double local = 0.0, longest = 0.0;
@@ -141,6 +157,7 @@ void LAMMPS_NS::check_rods_fit_periodic_box(LAMMPS *lmp)
 
   const double period[3] = {domain->xprd, domain->yprd, domain->zprd};
   const int periodic[3] = {domain->xperiodic, domain->yperiodic, domain->zperiodic};
+  bool twice = false;
   for (int d = 0; d < 3; d++) {
     if (!periodic[d]) continue;
     if (period[d] <= longest)
@@ -148,13 +165,36 @@ void LAMMPS_NS::check_rods_fit_periodic_box(LAMMPS *lmp)
                     "Atom style spherocylinder: the box is periodic in %c with %g, wanted more than "
                     "the longest rod's length %g (it would touch its own image)",
                     'x' + d, period[d], longest);
-    if (period[d] <= 2.0 * longest && lmp->comm->me == 0)
+    if (period[d] > 2.0 * longest) continue;
+    twice = true;
+    if (warn && lmp->comm->me == 0)
       rod_warning(lmp,
                   "Atom style spherocylinder: the box is periodic in %c with %g; below twice the "
                   "longest rod's length %g two rods may touch through two images at a time, whose "
-                  "contact histories cannot be told apart",
+                  "contact histories cannot be told apart: a run ends with an error if they do",
                   'x' + d, period[d], longest);
   }
+  return twice;
+}
+
+void LAMMPS_NS::check_pairs_touch_once(LAMMPS *lmp)
+{
+  auto *pair = dynamic_cast<PairGran *>(lmp->force->pair);
+  FixContactHistory *history = pair ? pair->get_fix_history() : nullptr;
+  if (!history || history->get_dnum() == 0) return;
+  Found twice = {};  // two ids
+  for (int i = 0; i < lmp->atom->nlocal && !twice[0]; i++)
+    for (int k = 0; k < history->n_partner(i); k++)
+      for (int l = 0; l < k; l++)
+        if (history->partner(i, k) == history->partner(i, l))
+          twice = {lmp->atom->tag[i], history->partner(i, k)};
+  twice = found_by_any(lmp, twice);
+  if (twice[0])
+    rod_error_all(lmp,
+                  "Atom style spherocylinder: at step " BIGINT_FORMAT " rods %d and %d touch through "
+                  "two periodic images, whose contact histories cannot be told apart; wanted a "
+                  "periodic box longer than two rods",
+                  lmp->update->ntimestep, twice[0], twice[1]);
 }
 
 void LAMMPS_NS::check_templates_make_rods(LAMMPS *lmp)

@@ -24,7 +24,12 @@ void check_atom_style_is_alone(LAMMPS *lmp);
 // `set ... density` re-sizes the mass here; `set ... diameter` and `set ... mass` are refused.
 void check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods);
 
-void check_rods_fit_periodic_box(LAMMPS *lmp);
+// Whether the box is so short that two rods may touch through two images at a time; `warn` says so.
+bool check_rods_fit_periodic_box(LAMMPS *lmp, bool warn);
+
+// Called by all ranks whenever rods go from rank to rank, when the histories of contacts are with
+// their rods.
+void check_pairs_touch_once(LAMMPS *lmp);
 
 void check_templates_make_rods(LAMMPS *lmp);
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "balance.h"
+
+#include <cstdio>
+
+#include "comm.h"
+#include "domain.h"
+#include "modify.h"
+#include "rod_checks.h"
+#include "subdomain_cuts.h"
+
+using namespace LAMMPS_NS;
+
+// As write_restart does before it writes: histories from the neighbour lists to their rods, rods to
+// their ranks, ghosts anew.
+void Balance::command(int narg, char **arg)
+{
+  if (domain->box_exist == 0)
+    rod_error_all(lmp, "Balance command before the simulation box is defined");
+  const SubdomainCuts cuts(lmp, "Balance command", narg, arg);
+  lmp->init();
+  cuts.init();
+
+  modify->setup_pre_exchange();
+  domain->pbc();
+  domain->reset_box();
+  comm->exchange();
+
+  const double before = cuts.imbalance();
+  if (before > cuts.threshold() && cuts.shift()) {
+    domain->set_local_box();
+    comm->exchange();
+  }
+  const double after = cuts.imbalance();
+  comm->setup();
+  comm->borders();
+
+  if (comm->me != 0) return;
+  for (FILE *out : {screen, logfile}) {
+    if (!out) continue;
+    fprintf(out, "  initial/final imbalance factor = %g %g\n%s", before, after,
+            cuts.text().c_str());
+  }
+}
