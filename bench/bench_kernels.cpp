@@ -16,6 +16,7 @@
 #include "core/mass_properties.h"
 #include "core/near_pairs.h"
 #include "core/rotation.h"
+#include "core/rotation_batch.h"
 #include "core/spread_contact.h"
 
 using namespace spherocylinder;
@@ -173,6 +174,21 @@ void RotateFreely(benchmark::State &state)
   }
 }
 
+// A batch of 32 rods, as the integrator has them.
+void RotateFreelyInBatches(benchmark::State &state)
+{
+  const MassProperties rod = mass_properties(0.01, 0.1, 2700.0);
+  const double inertia[] = {rod.inertia_transverse, rod.inertia_transverse, rod.inertia_axial};
+  const double start[] = {1.0, 0.0, 0.0, 0.0};
+  RodRotations rods{};
+  for (int k = 0; k < kBatch; k++) rods.set(k, {1e-5, 2e-5, 3e-7 * k}, inertia, start);
+  for (auto _ : state) {
+    rotate_freely(rods, 2e-5);
+    benchmark::DoNotOptimize(rods);
+  }
+  state.SetItemsProcessed(state.iterations() * kBatch);
+}
+
 BENCHMARK(ClosestPointsOfRods)->ArgName("lambda")->Arg(3)->Arg(10)->Arg(30)->Arg(100);
 BENCHMARK(ClosestPointsBatch)->ArgName("lambda")->Arg(3)->Arg(10)->Arg(30)->Arg(100);
 BENCHMARK(ClosestPointsBatchInPlace)->ArgName("lambda")->Arg(30);
@@ -181,5 +197,6 @@ BENCHMARK(NearPairsSearch)->ArgName("lambda")->Arg(3)->Arg(10)->Arg(30)->Arg(100
 BENCHMARK(LinesAreApart)->ArgName("lambda")->Arg(30);
 BENCHMARK(SpreadContact)->ArgName("lambda")->Arg(30);
 BENCHMARK(RotateFreely);
+BENCHMARK(RotateFreelyInBatches);
 
 }  // namespace

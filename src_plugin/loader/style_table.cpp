@@ -64,15 +64,13 @@ Compute *create_compute(LAMMPS *lmp, int iarg, int narg, char **arg)
   return new T(lmp, iarg, narg, arg);
 }
 
-<<<<<<< HEAD
 bool has_rods(LAMMPS *lmp) { return dynamic_cast<AtomVecSpherocylinder *>(lmp->atom->avec); }
-=======
+
 template <typename T>
 void run_command(LAMMPS *lmp, int narg, char **arg)
 {
   T(lmp).command(narg, arg);
 }
->>>>>>> mpi4
 
 // LIGGGHTS's own where there are no rods.
 Fix *create_wall(LAMMPS *lmp, int narg, char **arg)
