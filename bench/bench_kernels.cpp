@@ -186,7 +186,7 @@ void RotateFreelyInBatches(benchmark::State &state)
     rotate_freely(rods, 2e-5);
     benchmark::DoNotOptimize(rods);
   }
-  state.SetItemsProcessed(state.iterations() * kBatch);
+  set_time_of_each(state, kBatch);
 }
 
 BENCHMARK(ClosestPointsOfRods)->ArgName("lambda")->Arg(3)->Arg(10)->Arg(30)->Arg(100);
