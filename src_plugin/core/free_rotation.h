@@ -13,12 +13,18 @@ struct CosineAndSinc {
 // Below this x^2 Taylor's series suffices: its next term, x^10/10!, is below 3e-17.
 constexpr double kSeriesReaches = 0.01;
 
+// One term of Horner's scheme and all that follow it.
+SPHEROCYLINDER_INLINE double from_term(double divisor, double y, double rest)
+{
+  return 1.0 - (1.0 / divisor) * y * rest;
+}
+
 // Needs no root of x^2.
 SPHEROCYLINDER_INLINE CosineAndSinc cosine_and_sinc_by_series(double x_squared)
 {
   const double y = x_squared;
-  return {1.0 - y / 2.0 * (1.0 - (1.0 / 12.0) * y * (1.0 - (1.0 / 30.0) * y * (1.0 - (1.0 / 56.0) * y))),
-          1.0 - (1.0 / 6.0) * y * (1.0 - (1.0 / 20.0) * y * (1.0 - (1.0 / 42.0) * y * (1.0 - (1.0 / 72.0) * y)))};
+  return {from_term(2.0, y, from_term(12.0, y, from_term(30.0, y, from_term(56.0, y, 1.0)))),
+          from_term(6.0, y, from_term(20.0, y, from_term(42.0, y, from_term(72.0, y, 1.0))))};
 }
 
 SPHEROCYLINDER_INLINE double norm_squared(const Quaternion &q)
@@ -26,8 +32,8 @@ SPHEROCYLINDER_INLINE double norm_squared(const Quaternion &q)
   return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
 }
 
-// Of a quaternion whose square is 1 but for this, one step of Newton's method for 1/sqrt makes a unit
-// one to the last bit.
+// Of a quaternion whose square is 1 but for this, one step of Newton's method for 1/sqrt makes a
+// unit one to the last bit.
 constexpr double kNearlyUnit = 1e-8;
 
 SPHEROCYLINDER_INLINE Quaternion nearly_unit(const Quaternion &q, double squared)
@@ -36,8 +42,8 @@ SPHEROCYLINDER_INLINE Quaternion nearly_unit(const Quaternion &q, double squared
   return {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
 }
 
-// Half the angles of one step: of the precession as a vector along L (space frame), of the spin about
-// body z with a sign.
+// Half the angles of one step: of the precession as a vector along L (space frame), of the spin
+// about body z with a sign.
 struct HalfAngles {
   Vec3 precession;
   double spin;

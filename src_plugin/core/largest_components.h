@@ -5,8 +5,8 @@
 
 namespace spherocylinder {
 
-// Largest |x|, |y| and |z| of `count` vectors, as LIGGGHTS keeps them: x y z x y z ...; zero of none.
-// Values that are no numbers make them any number or none.
+// Largest |x|, |y| and |z| of `count` vectors, as LIGGGHTS keeps them: x y z x y z ...; zero of
+// none. Values that are no numbers make them any number or none.
 Vec3 largest_components(const double *rows, int count);
 
 }  // namespace spherocylinder

@@ -67,7 +67,8 @@ void FixNVESpherocylinder::initial_integrate(int)
       },
       [&](int count) {
         sc::rotate_freely(rotations_, dtv);
-        // The forces of this step see the half-step velocities, as with LIGGGHTS's other integrators.
+        // The forces of this step see the half-step velocities, as with LIGGGHTS's other
+        // integrators.
         for (int k = 0; k < count; k++) {
           const int i = rods_[k];
           if (rotations_.uncertain[k] != 0.0) {

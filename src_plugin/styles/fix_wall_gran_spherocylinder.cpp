@@ -23,7 +23,8 @@ void FixWallGranSpherocylinder::init()
   near_rods_.forget();
 }
 
-// LIGGGHTS gives `shear` along the cylinder's axis as a velocity, across it as a rate about the axis.
+// LIGGGHTS gives `shear` along the cylinder's axis as a velocity, across it as a rate about the
+// axis.
 MovingWall FixWallGranSpherocylinder::moving_wall() const
 {
   MovingWall wall{surface_of(*primitiveWall_), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
@@ -58,8 +59,8 @@ void FixWallGranSpherocylinder::post_force_primitive(int vflag)
   rod_wall_->compute_forces(*this, wall_, near_rods_.near(), history);
 }
 
-// As LIGGGHTS does: the models forget the contact of a rod within its bounding sphere's reach; of one
-// beyond it nothing is left.
+// As LIGGGHTS does: the models forget the contact of a rod within its bounding sphere's reach; of
+// one beyond it nothing is left.
 void FixWallGranSpherocylinder::forget_contacts_of_far_rods(double **history)
 {
   for (const int i : near_rods_.far()) {

@@ -23,7 +23,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void post_force_primitive(int vflag) override;
 
  private:
-  RodWall *rod_wall_ = nullptr;  // null without surface spherocylinder: no run with rods begins then
+  RodWall *rod_wall_ = nullptr;  // null without surface spherocylinder: no rods are run then
   MovingWall wall_{};
   NearWallRods near_rods_;
 

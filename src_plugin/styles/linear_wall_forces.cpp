@@ -24,7 +24,8 @@ double LAMMPS_NS::coupling_of_ends(const RodEnds &ends, double radius,
   const EndContact &one = ends.contacts[0], &other = ends.contacts[1];
   const double a = radius - one.distance, b = radius - other.distance;
   if (!(a > 0.0) || !(b > 0.0)) return 0.0;
-  const double shared = std::min(a, b) / std::max(a, b) * std::max(0.0, dot(one.normal, other.normal));
+  const double cosine = std::max(0.0, dot(one.normal, other.normal));
+  const double shared = std::min(a, b) / std::max(a, b) * cosine;
   if (shared == 0.0) return 0.0;
   return shared * mass_coupling(inverse, ends.arms[0], one.normal, ends.arms[1], other.normal);
 }
@@ -40,8 +41,8 @@ void LAMMPS_NS::check_not_at_outside(LAMMPS *lmp, const FixWallGran &fix,
                 fix.id, atom.tag[i], lmp->update->ntimestep);
 }
 
-// A wall is rod j of the batch: at rest but for its surface, and of infinite mass; its spring does not
-// turn about the normal. What is zero stays so from the start.
+// A wall is rod j of the batch: at rest but for its surface, and of infinite mass; its spring does
+// not turn about the normal. What is zero stays so from the start.
 LinearWallForces::LinearWallForces(LAMMPS *lmp) : Pointers(lmp) {}
 
 void LinearWallForces::add(int i, int wall_type, const Capsule &rod, const InverseInertia &inverse,

@@ -21,8 +21,8 @@ class FixWallGran;
 // K11 + K12, not by K11 alone, and a rod that lands flat rebounds with e only if its damping knows
 // that. With one overlap at zero the other end is alone, so that the damping has no jump.
 //
-// Returns K12 times that share, in 1/kg: what an end's inverse effective mass gains. With the share at
-// most the cosine, their sum is at least 1/m: see the test of mass_coupling.
+// Returns K12 times that share, in 1/kg: what an end's inverse effective mass gains. With the share
+// at most the cosine, their sum is at least 1/m: see the test of mass_coupling.
 double coupling_of_ends(const RodEnds &ends, double radius,
                         const spherocylinder::InverseInertia &inverse);
 

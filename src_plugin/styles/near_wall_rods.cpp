@@ -24,9 +24,9 @@ const AtomVecSpherocylinder &rods_of(const Atom &atom)
 
 }  // namespace
 
-// A bound on the speed of any rod's end towards the wall: that of the centre in
-// these directions and h |omega|. Contacts see the velocity that has just moved the rods, so that times
-// the time step it bounds their way.
+// A bound on the speed of any rod's end towards the wall: that of the centre in these directions
+// and h |omega|. Contacts see the velocity that has just moved the rods, so that times the time
+// step it bounds their way.
 double NearWallRods::fastest_end(const WallSurface &surface) const
 {
   const int rods = atom->nlocal;

@@ -12,9 +12,9 @@ namespace LAMMPS_NS {
 //
 // LIGGGHTS lists rods whose bounding spheres are near: in a vessel of some rods' lengths that is
 // nearly all of them. This list keeps those with an end nearer than a skin. It is made anew when
-// LIGGGHTS has made its own, and when the ends may have moved half the skin since: all that is looked
-// at in between is how fast the fastest rod is. (The other half is for rods that some fix moves
-// otherwise than by the velocity it gives them at the end of its step.)
+// LIGGGHTS has made its own, and when the ends may have moved half the skin since: all that is
+// looked at in between is how fast the fastest rod is. (The other half is for rods that some fix
+// moves otherwise than by the velocity it gives them at the end of its step.)
 class NearWallRods : protected Pointers {
  public:
   explicit NearWallRods(LAMMPS *lmp) : Pointers(lmp) {}

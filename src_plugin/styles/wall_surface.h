@@ -97,7 +97,8 @@ struct WallSurface {
   }
 };
 
-// What LIGGGHTS's own wall is, found by asking it about two points: it does not tell its parameters.
+// What LIGGGHTS's own wall is, found by asking it about two points: it does not tell its
+// parameters.
 WallSurface surface_of(PrimitiveWall &wall);
 
 }  // namespace LAMMPS_NS

@@ -64,8 +64,8 @@ TEST_P(FreeRotation, PrecessesAboutItsAngularMomentum)
                axis_error);
 }
 
-// The closed form holds for any step: these rods turn and spin by up to 1.5 rad in one, beside one that
-// hardly moves. Rounding is that of the phase, epsilon times some 1500 rad, and of 1000 steps.
+// The closed form holds for any step: these rods turn and spin by up to 1.5 rad in one, beside one
+// that hardly moves. Rounding is that of the phase, epsilon times some 1500 rad, and of 1000 steps.
 TEST_P(FreeRotation, FarInAStep)
 {
   Scene scene = free_rods();

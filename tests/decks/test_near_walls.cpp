@@ -165,7 +165,8 @@ Scene drum(const Case &c)
     Rod rod;
     rod.type = 1 + n % 2;
     rod.length = rod.diameter * (n % 5 == 0 ? 1.0 : 6.0 + 3.0 * any(random));
-    // Across the lowest line of the drum of radius 0.1 about the y axis, pressed in by up to 1e-5 m.
+    // Across the lowest line of the drum of radius 0.1 about the y axis, pressed in by up to 1e-5
+    // m.
     const double slope = n % 3 == 0 ? 0.0 : 0.2 * any(random);
     const double half = rod.half_cylinder(), reach = 0.1 - rod.radius();
     rod.axis = {std::cos(slope), 0.0, std::sin(slope)};
@@ -200,8 +201,8 @@ Scene drum(const Case &c)
 class BatchedWalls : public testing::TestWithParam<Case> {};
 
 // Rounding of the forces, 1e-16 of some ten newtons a step, on rods of some grams: 1e-13 m/s^2 or
-// 1e-18 m/s in each of 1000 steps. (In five times as many it grows a thousandfold where an end lifts
-// off and comes down again.)
+// 1e-18 m/s in each of 1000 steps. (In five times as many it grows a thousandfold where an end
+// lifts off and comes down again.)
 constexpr double kSameMotion = 2e-14;
 
 }  // namespace

@@ -436,7 +436,8 @@ TEST(FreeRotationBatch, OrientationOffUnitLengthIsLeftOut)
   for (int k = 0; k < kBatch; k++) {
     Top top = random_top(random, 0.01, 10.0);
     const double scale = k % 2 ? 1.0 + 1e-7 : 1.0 + 1e-10;
-    set(rods, k, top, {scale * top.start.w, scale * top.start.x, scale * top.start.y, scale * top.start.z});
+    const Quaternion q = top.start;
+    set(rods, k, top, {scale * q.w, scale * q.x, scale * q.y, scale * q.z});
   }
   rotate_freely(rods, 1e-9);
   for (int k = 0; k < kBatch; k++) EXPECT_EQ(rods.uncertain[k] != 0.0, k % 2 == 1) << k;
@@ -449,7 +450,8 @@ TEST(FreeRotationBatch, AngularVelocities)
   for (int batch = 0; batch < 100; batch++) {
     std::vector<Top> tops;
     for (int k = 0; k < kBatch; k++) {
-      tops.push_back(random_top(random, kDiameters[random.below(5)], random.log_uniform(1.0, 100.0)));
+      const double ratio = random.log_uniform(1.0, 100.0);
+      tops.push_back(random_top(random, kDiameters[random.below(5)], ratio));
       set(rods, k, tops[k], tops[k].start);
     }
     angular_velocities(rods);
