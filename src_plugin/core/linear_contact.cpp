@@ -32,7 +32,8 @@ SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
         inverse_effective_mass({c.inverse_mass_i[k], c.inverse_inertia_i[k]}, arm_i, n) +
         inverse_effective_mass({c.inverse_mass_j[k], c.inverse_inertia_j[k]}, arm_j, n);
     const double kn = c.stiffness[k], kt = c.tangential_stiffness[k];
-    const double root = c.two_beta[k] * std::sqrt(c.share[k] / inverse_mass);
+    const double effective_mass = c.share[k] / inverse_mass;
+    const double root = c.two_beta[k] * std::sqrt(effective_mass);
     double Fn = kn * overlap - root * std::sqrt(kn) * vn;
     if (limit_force) Fn = Fn < 0.0 ? 0.0 : Fn;
 
@@ -71,6 +72,7 @@ SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
     c.torque_i.set(k, cross(arm_i, force) - from_i * twist + couple);
     c.torque_j.set(k, -cross(arm_j, force) - from_j * twist - couple);
     c.inverse_mass[k] = inverse_mass;
+    c.effective_mass[k] = effective_mass;
     c.overlap[k] = overlap;
     c.side.set(k, n);
   }

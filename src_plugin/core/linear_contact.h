@@ -43,6 +43,7 @@ struct LinearContacts {
   Vec3s force;                // on rod i; rod j feels its opposite
   Vec3s torque_i, torque_j;   // about the rods' centres
   Doubles inverse_mass;       // 1/m_eff; 0 if neither rod can move, and the force is then not a number
+  Doubles effective_mass;     // share m_eff, of the damping
 };
 
 // Works out all kBatch contacts; those that were not set are of no meaning.

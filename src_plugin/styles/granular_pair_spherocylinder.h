@@ -80,7 +80,8 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(model_);
     if (batched_)
-      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential);
+      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential,
+                               atom->ntypes);
     close_pairs_.reset(*parent_, close_skin_);
     rods.pair_counts = &close_pairs_.counts();
   }
@@ -131,6 +132,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   // Of owned and ghost rods, gathered once a step: the contact loop reads them side by side.
   std::vector<spherocylinder::Capsule> rods_;
   std::vector<RodMotion> motions_;
+  RodKinds kinds_;
   CloseRodPairs close_pairs_;
   TouchingRodPairs touching_pairs_;
   using Touch = TouchingRodPairs::Touch;
@@ -245,10 +247,13 @@ template <typename ContactModel>
 void GranularSpherocylinder<ContactModel>::read_masses(int frozen_bit)
 {
   const int nall = atom->nlocal + atom->nghost;
+  linear_.forget_kinds();
+  kinds_.clear();
   for (int i = 0; i < nall; i++) {
     const bool frozen = atom->mask[i] & frozen_bit;
     motions_[i].inverse = {frozen ? 0.0 : 1.0 / atom->rmass[i],
                            frozen ? 0.0 : 1.0 / atom->inertia[i][0]};
+    kinds_.add(atom->type[i], rods_[i], motions_[i].inverse);
   }
 }
 
@@ -272,8 +277,8 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   auto *local = ComputeGranLocalSpherocylinder::collecting(pair->cpl(), update->ntimestep);
   if (local) local->begin_rows();
   if (batched_ && !local && !single_contacts_wanted(*pair))
-    linear_.compute(*pair, touching_pairs_, rods_, motions_, {side_offset_, spring_offset_},
-                    spread_contact_, monitor_);
+    linear_.compute(*pair, touching_pairs_, rods_, motions_, kinds_,
+                    {side_offset_, spring_offset_}, spread_contact_, monitor_);
   else
     compute_each(*pair, first_flags, first_history, local);
 

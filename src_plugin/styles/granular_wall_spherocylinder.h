@@ -61,7 +61,8 @@ class GranularSpherocylinder : private Pointers, public RodWall {
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(models_[0]);
     if (batched_)
-      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential);
+      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential,
+                               atom->ntypes);
   }
 
   bool checkSurfaceIntersect(SurfacesIntersectData &) override { return true; }

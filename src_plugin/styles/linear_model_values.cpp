@@ -27,7 +27,7 @@ bool LinearModelValues::understand(int nargs, char **args)
   return true;
 }
 
-void LinearModelValues::connect(PropertyRegistry &registry, Tangential tangential)
+void LinearModelValues::connect(PropertyRegistry &registry, Tangential tangential, int types)
 {
   registry.connect("k_n", kn_, "model linear");
   registry.connect("k_t", kt_, "model linear");
@@ -35,6 +35,24 @@ void LinearModelValues::connect(PropertyRegistry &registry, Tangential tangentia
   friction_ = nullptr;
   if (tangential != Tangential::Off) registry.connect("coeffFrict", friction_, "model linear");
   law.tangential = tangential;
+  types_ = types;
+}
+
+bool LinearModelValues::have_changed()
+{
+  double **const properties[] = {kn_, kt_, beta_, friction_};
+  const size_t values = 4 * static_cast<size_t>(types_) * types_;
+  bool changed = seen_.size() != values;
+  seen_.resize(values);
+  double *seen = seen_.data();
+  for (double **property : properties)
+    for (int i = 1; i <= types_; i++)
+      for (int j = 1; j <= types_; j++, seen++) {
+        const double now = property ? property[i][j] : 0.0;
+        changed |= *seen != now;
+        *seen = now;
+      }
+  return changed;
 }
 
 void LinearModelValues::set(LinearContacts &contacts, int k, int itype, int jtype,

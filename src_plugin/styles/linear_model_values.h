@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "core/linear_contact.h"
 
 class PropertyRegistry;
@@ -15,13 +17,17 @@ struct LinearModelValues {
   // Keywords behind the models. False if one of them needs the models themselves.
   bool understand(int nargs, char **args);
   // After the models have registered the properties.
-  void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential);
+  void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential, int types);
+  // Whether a property is another than at the last call: some fix may change it during a run.
+  bool have_changed();
   // Of contact k between materials itype and jtype; `scale`: of the stiffness.
   void set(spherocylinder::LinearContacts &contacts, int k, int itype, int jtype,
            double scale) const;
 
  private:
   double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
+  int types_ = 0;
+  std::vector<double> seen_;  // all properties, of all pairs of materials
 };
 
 }  // namespace LAMMPS_NS

@@ -25,8 +25,8 @@ void LinearPairForces::set_place(int k, const RodPairGeometry &place)
   c.couple.set(k, place.couple);
 }
 
-void LinearPairForces::set_rods(int k, const Capsule &rod_i, const RodMotion &motion_i,
-                                const Capsule &rod_j, const RodMotion &motion_j)
+void LinearPairForces::set_motion(int k, const Capsule &rod_i, const RodMotion &motion_i,
+                                  const Capsule &rod_j, const RodMotion &motion_j)
 {
   LinearContacts &c = contacts_;
   c.axis_i.set(k, rod_i.segment.axis);
@@ -35,27 +35,35 @@ void LinearPairForces::set_rods(int k, const Capsule &rod_i, const RodMotion &mo
   c.velocity_j.set(k, motion_j.velocity);
   c.omega_i.set(k, motion_i.omega);
   c.omega_j.set(k, motion_j.omega);
-  c.inverse_mass_i[k] = motion_i.inverse.mass;
-  c.inverse_mass_j[k] = motion_j.inverse.mass;
-  c.inverse_inertia_i[k] = motion_i.inverse.transverse;
-  c.inverse_inertia_j[k] = motion_j.inverse.transverse;
+}
+
+void LinearPairForces::set_kinds(int k, int i, int j, const Capsule &rod_i,
+                                 const InverseInertia &inverse_i, const Capsule &rod_j,
+                                 const InverseInertia &inverse_j)
+{
+  LinearContacts &c = contacts_;
+  c.inverse_mass_i[k] = inverse_i.mass;
+  c.inverse_mass_j[k] = inverse_j.mass;
+  c.inverse_inertia_i[k] = inverse_i.transverse;
+  c.inverse_inertia_j[k] = inverse_j.transverse;
   c.radius_i[k] = rod_i.radius;
   c.radius_j[k] = rod_j.radius;
   // Two spheres keep LIGGGHTS's spring, so that they move as its own do.
   const bool spheres = rod_i.segment.half_length == 0.0 && rod_j.segment.half_length == 0.0;
   c.turning[k] = spheres ? 0.0 : 1.0;
+  values_.set(c, k, atom->type[i], atom->type[j],
+              values_.aspect_scaling ? mean_aspect_ratio(rod_i, rod_j) : 1.0);
 }
 
 void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
                                const std::vector<Capsule> &rods,
-                               const std::vector<RodMotion> &motions, HistoryOffsets offsets,
-                               bool spread, ContactMonitor &monitor)
+                               const std::vector<RodMotion> &motions, const RodKinds &kinds,
+                               HistoryOffsets offsets, bool spread, ContactMonitor &monitor)
 {
   int **first_flags = pair.listgranhistory ? pair.listgranhistory->firstneigh : nullptr;
   double **first_history = pair.listgranhistory ? pair.listgranhistory->firstdouble : nullptr;
   constexpr Vec3 kZero = {0.0, 0.0, 0.0};
   const int dnum = pair.dnum(), nlocal = atom->nlocal;
-  const int *type = atom->type;
   double **f = atom->f, **torque = atom->torque;
   const bool remember = offsets.side >= 0 && first_history;
   const bool has_spring = offsets.spring >= 0 && first_history;
@@ -63,6 +71,7 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
                    (has_spring ? LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL : 0);
   LinearContacts &c = contacts_;
   values_.law.dt = update->dt;  // a fix may change it during a run
+  if (values_.have_changed()) forget_kinds();
 
   for (const CloseRodPairs::Entry &entry : pairs.parted()) {
     first_flags[entry.i][entry.index] = 0;
@@ -91,9 +100,11 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
       } else {
         set_place(k, closest_geometry(touch, rod_i.radius + rod_j.radius));
       }
-      set_rods(k, rod_i, motions[i], rod_j, motions[j]);
-      values_.set(c, k, type[i], type[j],
-                  values_.aspect_scaling ? mean_aspect_ratio(rod_i, rod_j) : 1.0);
+      set_motion(k, rod_i, motions[i], rod_j, motions[j]);
+      const int both = kinds.of_pair(i, j);
+      if (both == RodKinds::kNone || both != kinds_in_batch_[k])
+        set_kinds(k, i, j, rod_i, motions[i].inverse, rod_j, motions[j].inverse);
+      kinds_in_batch_[k] = both;
     }
 
     linear_contacts(c, values_.law);
@@ -108,7 +119,7 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
         if (remember) store(c.side.get(k), history + offsets.side);
         if (has_spring) store(c.spring.get(k), history + offsets.spring);
       }
-      monitor.look(i, j, c.stiffness[k], c.share[k] / c.inverse_mass[k], c.overlap[k],
+      monitor.look(i, j, c.stiffness[k], c.effective_mass[k], c.overlap[k],
                    c.radius_i[k] + c.radius_j[k]);
       const Vec3 force = c.force.get(k);
       const double relax_i = pair.relax(i);

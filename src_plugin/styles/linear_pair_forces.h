@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/contact_kinematics.h"
@@ -8,6 +9,7 @@
 #include "linear_model_values.h"
 #include "pointers.h"
 #include "rod_contact.h"
+#include "rod_kinds.h"
 #include "touching_rod_pairs.h"
 
 namespace LAMMPS_NS {
@@ -35,24 +37,32 @@ struct HistoryOffsets {
 // step in which some other command wants to see single contacts.
 class LinearPairForces : protected Pointers {
  public:
-  explicit LinearPairForces(LAMMPS *lmp) : Pointers(lmp) {}
+  explicit LinearPairForces(LAMMPS *lmp) : Pointers(lmp) { forget_kinds(); }
 
   LinearModelValues &values() { return values_; }
 
   // Adds the forces and torques of all touching pairs to their rods, and keeps the histories.
   void compute(PairGran &pair, const TouchingRodPairs &pairs,
                const std::vector<spherocylinder::Capsule> &rods,
-               const std::vector<RodMotion> &motions, HistoryOffsets offsets, bool spread,
-               ContactMonitor &monitor);
+               const std::vector<RodMotion> &motions, const RodKinds &kinds,
+               HistoryOffsets offsets, bool spread, ContactMonitor &monitor);
+
+  // Rods may be of other kinds than before, or materials have changed.
+  void forget_kinds() { std::fill_n(kinds_in_batch_, spherocylinder::kBatch, RodKinds::kNone); }
 
  private:
   LinearModelValues values_;
   spherocylinder::LinearContacts contacts_{};
+  int kinds_in_batch_[spherocylinder::kBatch];  // RodKinds::of_pair, of each contact
 
   // What goes into contact k of the batch.
   void set_place(int k, const RodPairGeometry &place);
-  void set_rods(int k, const spherocylinder::Capsule &rod_i, const RodMotion &motion_i,
-                const spherocylinder::Capsule &rod_j, const RodMotion &motion_j);
+  void set_motion(int k, const spherocylinder::Capsule &rod_i, const RodMotion &motion_i,
+                  const spherocylinder::Capsule &rod_j, const RodMotion &motion_j);
+  void set_kinds(int k, int i, int j, const spherocylinder::Capsule &rod_i,
+                 const spherocylinder::InverseInertia &inverse_i,
+                 const spherocylinder::Capsule &rod_j,
+                 const spherocylinder::InverseInertia &inverse_j);
 };
 
 }  // namespace LAMMPS_NS

@@ -80,7 +80,7 @@ void LinearWallForces::finish_batch(ContactMonitor &monitor)
   for (int k = 0; k < count_; k++) {
     const auto [i, spring] = ends_[k];
     if (spring) store(c.spring.get(k), spring);
-    monitor.look(i, -1, c.stiffness[k], c.share[k] / c.inverse_mass[k], c.overlap[k],
+    monitor.look(i, -1, c.stiffness[k], c.effective_mass[k], c.overlap[k],
                  2.0 * c.radius_i[k]);
     add_to(atom->f[i], c.force.get(k));
     add_to(atom->torque[i], c.torque_i.get(k));
