@@ -183,6 +183,8 @@ void NearPairs::find(const std::vector<Capsule> &rods, int owned, double gap)
 {
   first_.assign(owned + 1, 0);
   partners_.clear();
+  cells_of_rods_.clear();
+  tried_ = 0;
   if (owned == 0) return;
   lay_grid(rods, owned, gap);
   enter_rods(rods, gap);
@@ -200,6 +202,7 @@ void NearPairs::find(const std::vector<Capsule> &rods, int owned, double gap)
         candidates_.push_back(j);
       }
     }
+    tried_ += static_cast<int64_t>(candidates_.size());
     std::sort(candidates_.begin(), candidates_.end());
     keep_near(rods, i, gap);
   }

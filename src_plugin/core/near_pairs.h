@@ -2,6 +2,7 @@
 // Finds the rods that are near one another.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "capsule.h"
@@ -30,6 +31,10 @@ class NearPairs {
   int first(int i) const { return first_[i]; }
   const std::vector<int> &partners() const { return partners_; }
 
+  // What the search looked at: the cells of all rods, and the pairs whose distance it worked out.
+  int64_t cells() const { return static_cast<int64_t>(cells_of_rods_.size()); }
+  int64_t tried() const { return tried_; }
+
  private:
   // The grid: a box around the tubes of the owned rods.
   Vec3 low_{};
@@ -41,6 +46,7 @@ class NearPairs {
   std::vector<int> first_of_rod_, cells_of_rods_;    // cells of each rod
   std::vector<int> last_seen_;                       // of each rod: whose candidate it was last
   std::vector<int> first_, partners_, candidates_;
+  int64_t tried_ = 0;
   SegmentPairs batch_{};
 
   int cubes_on(const Segment &segment) const;

@@ -26,8 +26,9 @@ constexpr int64_t kRenewalsToChoose = 3, kFewestSteps = 200, kMostSteps = 2000;
 // What the parts cost, in nanoseconds on the machine they were measured on; their ratios are what
 // counts. A close pair is gathered and its closest points found, every step; a refresh of the close
 // pairs walks along the list and finds the closest points of the pairs of rods that moved; a renewal of
-// the list searches the grid, for each pair that it finds.
-constexpr double kTestCost = 15.0, kWalkCost = 1.5, kLookCost = 30.0, kRenewalCost = 400.0;
+// the list enters rods in cells and finds the closest points of those that share one.
+constexpr double kTestCost = 15.0, kWalkCost = 1.5, kLookCost = 30.0;
+constexpr double kCellCost = 45.0, kTryCost = 25.0;
 
 }  // namespace
 
@@ -148,7 +149,8 @@ void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool
   // What LIGGGHTS asks for does not depend on the skin.
   if (!migrated) {
     work_.renewals++;
-    work_.listed += list_.pairs();
+    work_.cells += list_.search().cells();
+    work_.tried += list_.search().tried();
   }
 
   counts_.renewals++;
@@ -163,7 +165,8 @@ bool CloseRodPairs::choose_skins()
   const double walk_cost = kWalkCost * static_cast<double>(work_.walked);
   const double refresh_cost = walk_cost + kLookCost * static_cast<double>(work_.looked_at);
   const double test_cost = kTestCost * static_cast<double>(work_.tested);
-  const double renewal_cost = kRenewalCost * static_cast<double>(work_.listed);
+  const double renewal_cost =
+      kCellCost * static_cast<double>(work_.cells) + kTryCost * static_cast<double>(work_.tried);
   work_ = Work();
 
   double skin = skin_;

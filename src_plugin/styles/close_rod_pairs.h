@@ -76,9 +76,9 @@ class CloseRodPairs : protected Pointers {
   RodPairCounts counts_;
 
   // What was done since the skins were chosen: pairs tested, in steps; pairs of the list walked along
-  // and looked at, in refreshes; pairs listed, in renewals.
+  // and looked at, in refreshes; cells entered and pairs tried, in renewals.
   struct Work {
-    int64_t steps = 0, tested = 0, walked = 0, looked_at = 0, renewals = 0, listed = 0;
+    int64_t steps = 0, tested = 0, walked = 0, looked_at = 0, renewals = 0, cells = 0, tried = 0;
   } work_;
 
   bool look(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);

@@ -33,6 +33,8 @@ class RodPairList : protected Pointers {
 
   // Ghosts that are in the list, ascending.
   const std::vector<int> &ghosts() const { return ghosts_; }
+  // The search for the list that is there.
+  const spherocylinder::NearPairs &search() const { return near_; }
   int pairs() const { return static_cast<int>(now_.partners.size()); }
 
  private:
