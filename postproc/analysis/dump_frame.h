@@ -20,6 +20,7 @@ struct DumpFrame {
   std::optional<double> time;                  // s, if the file has "ITEM: TIME"
   std::array<std::array<double, 2>, 3> box{};  // lower and upper bound in x, y, z (m)
   bool box_is_tilted = false;
+  std::array<bool, 3> periodic{};  // in x, y, z; false too if the file does not say
 
   std::size_t rows = 0;
   std::vector<std::string> columns;
