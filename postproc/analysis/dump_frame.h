@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One time step of a LIGGGHTS `dump custom` text file, as numbers with named columns.
+// One time step of a LIGGGHTS `dump custom` or `dump local` text file, as numbers with named columns.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace spherocylinder {
 
 struct DumpFrame {
   std::string path;             // file it came from, for messages
-  std::size_t header_line = 0;  // line number (from 1) of "ITEM: ATOMS"; rows follow without gaps
+  std::size_t header_line = 0;  // line number (from 1) of the columns; rows follow without gaps
 
   std::int64_t step = 0;
   std::optional<double> time;                  // s, if the file has "ITEM: TIME"

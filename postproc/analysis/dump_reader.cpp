@@ -19,10 +19,26 @@ namespace {
 constexpr double too_large_id = 9007199254740992.0;
 
 constexpr std::string_view item_step = "ITEM: TIMESTEP";
-constexpr std::string_view item_count = "ITEM: NUMBER OF ATOMS";
 constexpr std::string_view item_box = "ITEM: BOX BOUNDS";
-constexpr std::string_view item_atoms = "ITEM: ATOMS";
 constexpr std::string_view item_time = "ITEM: TIME";
+
+// What announces the number of rows, and the rows.
+std::string_view item_count(DumpKind kind)
+{
+  return kind == DumpKind::atoms ? "ITEM: NUMBER OF ATOMS" : "ITEM: NUMBER OF ENTRIES";
+}
+
+std::string_view item_rows(DumpKind kind)
+{
+  return kind == DumpKind::atoms ? "ITEM: ATOMS" : "ITEM: ENTRIES";
+}
+
+std::string_view name_of_rows(DumpKind kind)
+{
+  return kind == DumpKind::atoms ? "atoms" : "entries";
+}
+
+std::string_view name_of_row(DumpKind kind) { return kind == DumpKind::atoms ? "atom" : "entry"; }
 
 bool starts_with(std::string_view text, std::string_view head)
 {
@@ -31,7 +47,7 @@ bool starts_with(std::string_view text, std::string_view head)
 
 }  // namespace
 
-DumpReader::DumpReader(const std::string &path) : lines_(path) {}
+DumpReader::DumpReader(const std::string &path, DumpKind kind) : lines_(path), kind_(kind) {}
 
 void DumpReader::fail(const std::string &what) const
 {
@@ -72,9 +88,10 @@ bool DumpReader::next(DumpFrame &frame)
   } while (line_.empty());
   if (line_ != item_step)
     fail(fmt::format("{}, wanted '{}'{}", shown(line_), item_step,
-                     any_frame_ ? " or the end of the file (more atom lines than the header says?)"
+                     any_frame_ ? " or the end of the file (more lines than the header says?)"
                                 : ": not a LIGGGHTS dump file"));
 
+  const std::string_view count_line = item_count(kind_), rows_line = item_rows(kind_);
   frame.path = lines_.path();
   frame.step = integer_line("the time step");
   frame.time.reset();
@@ -82,8 +99,8 @@ bool DumpReader::next(DumpFrame &frame)
   bool have_box = false;
   while (true) {
     need_line("an 'ITEM:' line");
-    if (line_ == item_count) {
-      count = integer_line("the number of atoms");
+    if (line_ == count_line) {
+      count = integer_line(fmt::format("the number of {}", name_of_rows(kind_)));
     } else if (starts_with(line_, item_box)) {
       read_box(frame);
       have_box = true;
@@ -93,21 +110,21 @@ bool DumpReader::next(DumpFrame &frame)
       if (!time || !std::isfinite(*time))
         fail(fmt::format("the time is {}, wanted a finite number", shown(line_)));
       frame.time = time;
-    } else if (starts_with(line_, item_atoms)) {
+    } else if (starts_with(line_, rows_line)) {
       break;
     } else if (starts_with(line_, "ITEM: UNITS") || starts_with(line_, "ITEM: LABEL")) {
       need_line("a word");
     } else {
-      fail(fmt::format("{}, wanted '{}', '{}' or '{}'", shown(line_), item_count, item_box,
-                       item_atoms));
+      fail(fmt::format("{}, wanted '{}', '{}' or '{}'", shown(line_), count_line, item_box,
+                       rows_line));
     }
   }
-  if (count < 0) fail(fmt::format("'{}' came before '{}'", item_atoms, item_count));
-  if (!have_box) fail(fmt::format("'{}' came before '{}'", item_atoms, item_box));
+  if (count < 0) fail(fmt::format("'{}' came before '{}'", rows_line, count_line));
+  if (!have_box) fail(fmt::format("'{}' came before '{}'", rows_line, item_box));
 
-  read_columns(line_.substr(item_atoms.size()), frame);
+  read_columns(line_.substr(rows_line.size()), frame);
   read_rows(frame, count);
-  check_ids(frame);
+  if (kind_ == DumpKind::atoms) check_ids(frame);
   any_frame_ = true;
   return true;
 }
@@ -171,7 +188,7 @@ void DumpReader::read_columns(std::string_view names, DumpFrame &frame)
     if (frame.find_column(name)) fail(fmt::format("column {} appears twice", shown(name)));
     frame.columns.emplace_back(name);
   }
-  if (!frame.find_column("id")) fail("column 'id' is missing");
+  if (kind_ == DumpKind::atoms && !frame.find_column("id")) fail("column 'id' is missing");
 }
 
 void DumpReader::read_rows(DumpFrame &frame, std::int64_t count)
@@ -184,14 +201,15 @@ void DumpReader::read_rows(DumpFrame &frame, std::int64_t count)
   while (frame.rows < wanted) {
     const LineBlock block = lines_.next_lines(wanted - frame.rows);
     if (block.lines == 0)
-      fail(fmt::format("the file ends after {} atoms of step {}, wanted {}", frame.rows, frame.step,
-                       count));
+      fail(fmt::format("the file ends after {} {} of step {}, wanted {}", frame.rows,
+                       name_of_rows(kind_), frame.step, count));
     if (const auto failure = parser.append(block, frame.values)) {
       const std::size_t row = frame.rows + failure->line;
       const std::string what =
           failure->what.empty()
-              ? fmt::format("step {} has {} atom lines, wanted {}", frame.step, row, count)
-              : fmt::format("atom line {}: {}", row + 1, failure->what);
+              ? fmt::format("step {} has {} {} lines, wanted {}", frame.step, row,
+                            name_of_row(kind_), count)
+              : fmt::format("{} line {}: {}", name_of_row(kind_), row + 1, failure->what);
       throw InputError(fmt::format("{}:{}: {}", lines_.path(), frame.line_of(row), what));
     }
     frame.rows += block.lines;

@@ -83,6 +83,23 @@ TEST_F(DumpReaderTest, ReadsRods)
   EXPECT_NEAR(found[1].capsule.segment.axis.x, 1.0, 1e-15);  // 90 degrees about y: z becomes x
 }
 
+// `dump local` has rows without an id, which need not differ.
+TEST_F(DumpReaderTest, ReadsEntries)
+{
+  const std::string text =
+      "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS pp ff ff\n-1 1\n-1 1\n0 1\n"
+      "ITEM: ENTRIES c_pairs[1] c_pairs[2] \n4 0.5 \n4 0.5 \n";
+  DumpReader reader(write("a.local", text), DumpKind::entries);
+  DumpFrame frame;
+  ASSERT_TRUE(reader.next(frame));
+  EXPECT_EQ(frame.rows, 2u);
+  EXPECT_EQ(frame.value(1, 1), 0.5);
+  EXPECT_FALSE(reader.next(frame));
+  expect_error(text, ":3: ", "wanted 'ITEM: NUMBER OF ATOMS'");
+  DumpReader cut(write("a.local", text.substr(0, text.size() - 7)), DumpKind::entries);
+  EXPECT_THROW(cut.next(frame), InputError);
+}
+
 TEST_F(DumpReaderTest, ColumnsInAnyOrderAndExtraOnes)
 {
   const DumpFrame frame = frame_of(header +
