@@ -9,17 +9,6 @@
 namespace spherocylinder {
 namespace {
 
-template <class Quantity>
-MeanWithError mean_of(const std::vector<Vec3> &axes, Quantity quantity)
-{
-  const double n = static_cast<double>(axes.size());
-  double mean = 0.0;
-  for (const Vec3 &u : axes) mean += quantity(u) / n;
-  double squares = 0.0;
-  for (const Vec3 &u : axes) squares += (quantity(u) - mean) * (quantity(u) - mean);
-  return {mean, n > 1.0 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
-}
-
 double edge_of(std::size_t i, std::size_t bins, BinSpacing spacing)
 {
   constexpr double right_angle = 1.57079632679489662;

@@ -5,16 +5,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "analysis/mean_with_error.h"
 #include "analysis/rods.h"
 
 namespace spherocylinder {
 
 std::vector<Vec3> axes_of(const std::vector<Rod> &rods);
-
-struct MeanWithError {
-  double mean;
-  double error;  // standard error of the mean, axes taken as independent
-};
 
 // Axes that point anywhere with equal chance have P(elevation < a) = sin a, so that the mean
 // elevation is integral_0^(pi/2) a cos a da = pi/2 - 1.

@@ -30,6 +30,8 @@ double combined(OverFiles rule, const std::vector<double> &values,
     case OverFiles::sum: return sum;
     case OverFiles::mean: return mean_of(values).mean;
     case OverFiles::error: return values_before.size() > 1 ? mean_of(values_before).error : none;
+    case OverFiles::largest:
+      return values.empty() ? none : *std::max_element(values.begin(), values.end());
     case OverFiles::scatter:
       return values.empty() ? none : std::sqrt(squares) / static_cast<double>(values.size());
   }

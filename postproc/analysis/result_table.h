@@ -18,6 +18,7 @@ enum class OverFiles {
   sum,      // counts
   mean,     // over the files that have a value
   error,    // standard error of the mean in the column before, over the files that have a value
+  largest,
   scatter,  // standard deviation of a mean of one file: goes down with the square root of their number
 };
 
