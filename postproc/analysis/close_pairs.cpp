@@ -12,6 +12,7 @@
 #include "analysis/parallel.h"
 #include "analysis/progress.h"
 #include "core/closest_points_batch.h"
+#include "core/spread_contact.h"
 
 namespace spherocylinder {
 namespace {
@@ -272,9 +273,9 @@ class PairFinder {
   {
     const Candidate &c = candidates_[k];
     const Capsule &i = rods_[c.i].capsule, &j = rods_[c.j].capsule;
-    ClosestPoints points = pairs_.get(k);
-    if (pairs_.uncertain[k] != 0.0)
-      points = closest_points(i.segment, {c.centre_j, j.segment.axis, j.segment.half_length});
+    const Segment image_of_j{c.centre_j, j.segment.axis, j.segment.half_length};
+    const ClosestPoints points = pairs_.uncertain[k] != 0.0 ? closest_points(i.segment, image_of_j)
+                                                            : pairs_.get(k);
     const double distance = std::sqrt(points.distance_squared);
     const double gap = distance - (i.radius + j.radius);
     if (!(gap < largest_gap_)) return;
@@ -282,7 +283,13 @@ class PairFinder {
         Pieces(j.segment, longest_).holding(points.t) != c.piece_j)
       return;
     const Vec3 normal = distance > 0.0 ? (1.0 / distance) * points.delta : Vec3{0.0, 0.0, 0.0};
-    found.push_back({c.i, c.j, points.s, points.t, gap, normal,
+    // spread_contact itself decides whether the rods are parallel enough.
+    const ClosestPoints touching =
+        pairs_.nearly_parallel[k] != 0.0 || pairs_.uncertain[k] != 0.0
+            ? spread_contact(i.segment, image_of_j, i.radius + j.radius + largest_gap_, points)
+                  .points
+            : points;
+    found.push_back({c.i, c.j, touching.s, touching.t, gap, normal,
                      norm(cross(i.segment.axis, j.segment.axis))});
   }
 

@@ -21,12 +21,16 @@ Periodicity periodicity_of(const DumpFrame &frame);
 
 struct ClosePair {
   std::uint32_t i, j;  // indices into the rods, i < j
-  double s, t;         // closest points on the axes, signed distance from the centres of i and j (m)
+  double s, t;         // where on the axes they touch, signed distance from the centres of i and j (m)
   double gap;          // distance of the surfaces, negative if they overlap (m)
   Vec3 normal;         // unit, from j to i; zero if the axes cross
   double sin_gamma;    // of the angle between the axes
 };
 
+// s and t are the closest points, of nearly parallel rods those of spread_contact (core), which puts
+// the contact of rods side by side into the middle of their common length; it is asked with rods
+// thicker by half of `largest_gap`.
+//
 // All pairs with a gap below `largest_gap` (m), each once, in an order that depends on the rods
 // only. A rod and several images of another are as many pairs.
 //

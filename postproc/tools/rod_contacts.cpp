@@ -24,6 +24,9 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t position_bins = 10;
+// Gap in diameters that the six digits of a usual dump do not tell from touching: they round a
+// coordinate below 1 m by 5e-7 m, and the rods of a laboratory are some millimetres thick.
+constexpr double doubtful_gap = 1e-4;
 constexpr double largest_over_mean = 10.0;  // of the distributions of overlaps and forces
 
 struct Options {
@@ -49,6 +52,7 @@ struct Result {
   std::int64_t step;
   std::size_t rods;
   std::vector<ClosePair> pairs;
+  std::size_t doubtful_pairs;  // whose gap is within doubtful_gap of the one asked for
   std::vector<WallContact> walls;
   std::vector<std::uint32_t> pair_numbers, all_numbers;  // contacts of each rod
   ContactKinds kinds, uncorrelated;
@@ -64,6 +68,7 @@ constexpr OverFiles same = OverFiles::same, sum = OverFiles::sum, mean = OverFil
 const std::vector<Column> summary_columns{{"step", same},
                                           {"rods", sum},
                                           {"pair_contacts", sum},
+                                          {"doubtful_pairs", sum},
                                           {"wall_contacts", sum},
                                           {"contacts_per_rod", mean},
                                           {"contacts_per_rod_error", error},
@@ -244,10 +249,17 @@ Result measure(const Bed &bed, const std::optional<Vessel> &vessel, const Option
   r.rods = bed.rods.size();
   double diameter = 0.0;
   for (const Rod &rod : bed.rods) diameter = std::max(diameter, 2.0 * rod.capsule.radius);
-  r.pairs = close_pairs(bed.rods, periodicity_of(bed.frame), options.gap * diameter);
+  const double gap = options.gap * diameter, doubt = doubtful_gap * diameter;
+  r.pairs = close_pairs(bed.rods, periodicity_of(bed.frame), gap + doubt);
+  r.doubtful_pairs = std::count_if(r.pairs.begin(), r.pairs.end(), [&](const ClosePair &pair) {
+    return pair.gap > gap - doubt;
+  });
+  r.pairs.erase(std::remove_if(r.pairs.begin(), r.pairs.end(),
+                               [&](const ClosePair &pair) { return !(pair.gap < gap); }),
+                r.pairs.end());
   if (vessel) {
     need_rods_inside(bed, *vessel);
-    r.walls = wall_contacts(bed.rods, *vessel, options.gap * diameter);
+    r.walls = wall_contacts(bed.rods, *vessel, gap);
   }
   r.pair_numbers = r.all_numbers = pair_contact_numbers(r.rods, r.pairs);
   add_wall_contacts(r.all_numbers, r.walls);
@@ -285,6 +297,7 @@ std::vector<double> summary_row(const Result &r)
   std::vector<double> row{number(r.step),
                           number(r.rods),
                           number(r.pairs.size()),
+                          number(r.doubtful_pairs),
                           number(r.walls.size()),
                           per_rod.mean,
                           per_rod.error,
@@ -443,6 +456,10 @@ void print_table(const Result &r, const std::vector<double> &row, const Options 
   fmt::print("step {}: {} rods\n", r.step, r.rods);
   fmt::print("  contacts a rod         {:8.4f} -+ {:.4f}   ({} between rods)\n",
              value("contacts_per_rod"), value("contacts_per_rod_error"), r.pairs.size());
+  if (r.doubtful_pairs > 0)
+    fmt::print("    doubtful             {:8}             pairs within {:g} diameters of touching, which "
+               "six digits do not tell\n",
+               r.doubtful_pairs, doubtful_gap);
   if (with_walls)
     fmt::print("    with walls           {:8.4f} -+ {:.4f}   ({} at walls)\n",
                value("contacts_per_rod_with_walls"), value("contacts_per_rod_with_walls_error"),
