@@ -66,6 +66,11 @@ ResultTable::ResultTable(std::string path, std::vector<Column> columns, bool sev
 
 void ResultTable::add(const Rows &rows)
 {
+  if (!csv_) {
+    std::vector<std::string> names;
+    for (const Column &column : columns_) names.push_back(column.name);
+    csv_.emplace(path_, names);
+  }
   if (several_files_)
     files_.push_back(rows);
   else
@@ -74,18 +79,14 @@ void ResultTable::add(const Rows &rows)
 
 void ResultTable::write(const Rows &rows)
 {
-  if (!csv_) {
-    std::vector<std::string> names;
-    for (const Column &column : columns_) names.push_back(column.name);
-    csv_.emplace(path_, names);
-  }
   for (const std::vector<double> &row : rows) csv_->row(row);
 }
 
 void ResultTable::finish()
 {
+  if (!csv_) return;
   if (several_files_) write(combined());
-  if (csv_) csv_->close();
+  csv_->close();
 }
 
 void print_means(const std::vector<Column> &columns, const std::vector<double> &row)

@@ -38,9 +38,10 @@ class ResultTable {
   // An empty path writes nothing. With `several_files` each frame added is a file.
   ResultTable(std::string path, std::vector<Column> columns, bool several_files);
 
+  // Throws InputError if the file cannot be written, with several files too.
   void add(const Rows &rows);
 
-  // Writes what several files give together. Throws InputError if the file cannot be written.
+  // Writes what several files give together.
   void finish();
 
   const std::vector<Column> &columns() const { return columns_; }

@@ -552,9 +552,9 @@ void run(const Options &options)
   for_each_bed(options.beds, [&](const Bed &bed) {
     const Result result = measure(bed, vessel, options, force_files);
     const std::vector<double> summary = summary_row(result);
+    tables.add(bed, result, summary);
     if (options.beds.several()) fmt::print("{}: ", bed.frame.path);
     print_table(result, summary, options, vessel.has_value());
-    tables.add(bed, result, summary);
   });
   tables.finish();
 }

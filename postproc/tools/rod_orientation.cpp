@@ -440,8 +440,9 @@ void print_order(const Result &r)
   fmt::print("  <|sin gamma|>          {:8.4f} {:7.4f}   {:9.4f}   {} of {} axes\n", o.sin_gamma.mean,
              o.sin_gamma.error, isotropic_sin_gamma, o.rods > most_axes_paired ? "pairs" : "all pairs",
              std::min(o.rods, most_axes_paired));
-  fmt::print("    of near pairs        {:8.4f} {:7.4f}   {:9.4f}   {} pairs\n", r.near_sin_gamma.mean,
-             r.near_sin_gamma.error, isotropic_contact_sin_gamma, r.near_pairs);
+  if (r.near_pairs > 0)
+    fmt::print("    of near pairs        {:8.4f} {:7.4f}   {:9.4f}   {} pairs\n", r.near_sin_gamma.mean,
+               r.near_sin_gamma.error, isotropic_contact_sin_gamma, r.near_pairs);
 }
 
 void print_table(const Result &r, const Options &options)
@@ -485,12 +486,12 @@ void run(const Options &options)
   ResultTable wall_bins(options.wall_bins_csv, wall_bin_columns(), several);
   for_each_bed(options.beds, [&](const Bed &bed) {
     const Result result = measurement.of(bed);
-    if (several) fmt::print("{}: ", bed.frame.path);
-    print_table(result, options);
     bins.add(bin_rows(result.step, result.histogram));
     summary.add({summary_row(result, options.half_contacts)});
     wall.add(wall_rows(result));
     wall_bins.add(wall_bin_rows(result));
+    if (several) fmt::print("{}: ", bed.frame.path);
+    print_table(result, options);
   });
   if (several) {
     fmt::print("means of the files\n");
