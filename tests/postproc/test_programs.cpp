@@ -452,7 +452,7 @@ TEST_F(Programs, MalformedFiles)
       {with("shapez", "shape"), "a.dump:9: column 'shapez' is missing"},
       {with("quat3", "q3"), "a.dump:9: column 'quat3' is missing"},
       {with(row, row + row), "a.dump:11: id 1 was already on line 10"},
-      {with(row, "nan" + row.substr(1)), "a.dump:10: column 'id' is 'nan'"},
+      {with(row, "nan" + row.substr(1)), "a.dump:10: atom line 1: column 'id' is 'nan'"},
       {with(row, "1 1 0 0 inf 0 0 0 0 0 0 0.01 0.01 0.1 1 0 0 0 1\n"), "column 'z' is 'inf'"},
       {with(row, "1 1 0 0 0 0 0 0 0 0 0 0.01 0.01 0.1 0 0 0 0 1\n"),
        "a.dump:10: rod 1: the norm of quat1..4 is 0, wanted 1"},
