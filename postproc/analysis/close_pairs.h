@@ -41,7 +41,7 @@ struct ClosePair {
 // the total length of the rods, and not with the square of the aspect ratio.
 //
 // Throws InputError if a periodic side is shorter than a rod is in that direction (it would meet
-// its own image) or below 3.5 times the distance of the axes that is sought.
+// its own image) or below 1.5 times the distance of the axes that is sought.
 std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodicity &box,
                                    double largest_gap);
 

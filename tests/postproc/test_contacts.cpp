@@ -127,6 +127,21 @@ TEST(ClosePairs, AreThoseOfAllPairsAndImages)
   expect_same_pairs(rods, box, 0.001, 500);
 }
 
+// One, two or three cells across: a cell is its own neighbour, or has the same one on both sides.
+TEST(ClosePairs, AreThoseOfNarrowBoxes)
+{
+  for (const double side : {0.016, 0.031, 0.046, 0.062, 0.093}) {
+    SCOPED_TRACE(side);
+    expect_same_pairs(ideal_gas(50, side, 0.0, 0.005, 16), {{side, side, side}}, 0.0, 5);
+    auto rods = ideal_gas(60, side, 0.03, 0.005, 17);
+    for (Rod &each : rods) {  // upright enough for the box
+      Vec3 &u = each.capsule.segment.axis;
+      u = (1.0 / norm({0.05 * u.x, 0.05 * u.y, 1.0})) * Vec3{0.05 * u.x, 0.05 * u.y, 1.0};
+    }
+    expect_same_pairs(rods, {{side, side, 0.0}}, 0.0, 15);
+  }
+}
+
 TEST(ClosePairs, OfMixedSizesAndOneFarAway)
 {
   auto rods = ideal_gas(200, 0.1, 0.03, 0.004, 14);
@@ -168,8 +183,8 @@ TEST(ClosePairs, BoxesThatAreTooSmall)
   EXPECT_NO_THROW(close_pairs(rods, {{0.11, 0, 0}}, 0.0));
   EXPECT_THROW(close_pairs(rods, {{0.1099, 0, 0}}, 0.0), InputError);
   const std::vector<Rod> ball{rod({0, 0, 0}, {1, 0, 0}, 0.0, 0.005)};
-  EXPECT_NO_THROW(close_pairs(ball, {{0.035, 0, 0}}, 0.0));
-  EXPECT_THROW(close_pairs(ball, {{0.034, 0, 0}}, 0.0), InputError);
+  EXPECT_NO_THROW(close_pairs(ball, {{0.015, 0, 0}}, 0.0));
+  EXPECT_THROW(close_pairs(ball, {{0.0149, 0, 0}}, 0.0), InputError);
 }
 
 // Upright rods on a square lattice, every second one raised by 0.06: four neighbours each, three at an
