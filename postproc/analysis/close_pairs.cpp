@@ -354,18 +354,16 @@ std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodici
   double largest_radius = 0.0;
   for (const Rod &rod : rods) largest_radius = std::max(largest_radius, rod.capsule.radius);
   const double reach = 2.0 * largest_radius + largest_gap;
-  double longest = piece_in_diameters * 2.0 * largest_radius;
-  // In a periodic direction one cell at least: where a cell is its own neighbour or has one on both
-  // sides, the shifts tell the images apart.
+  const double longest = piece_in_diameters * 2.0 * largest_radius;
+  // A piece and the reach are then shorter than the box together, so that a single cell across it, its
+  // own neighbour on both sides, will do: the shifts tell the images apart.
   for (int d = 0; d < 3; ++d) {
     const double side = box.side[d];
-    if (side == 0.0) continue;
-    const double least = std::max(1.5 * reach, largest_extent(rods, d) + largest_gap);
-    if (side < least)
+    const double least = largest_extent(rods, d) + largest_gap;
+    if (side > 0.0 && side < least)
       throw InputError(fmt::format("the periodic box is {:.6g} m wide in {}, wanted at least {:.6g} m "
                                    "for these rods",
                                    side, "xyz"[d], least));
-    longest = std::min(longest, side * (1.0 - 2.0 * slack) - reach);
   }
 
   const PieceGrid grid(rods, box, reach, longest);

@@ -40,8 +40,8 @@ struct ClosePair {
 // several pairs of pieces is kept where the pieces hold its closest points. Work and memory grow with
 // the total length of the rods, and not with the square of the aspect ratio.
 //
-// Throws InputError if a periodic side is shorter than a rod is in that direction (it would meet
-// its own image) or below 1.5 times the distance of the axes that is sought.
+// Throws InputError if a periodic side is shorter than a rod and the gap are in that direction: the rod
+// would meet its own image.
 std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodicity &box,
                                    double largest_gap);
 

@@ -130,7 +130,7 @@ TEST(ClosePairs, AreThoseOfAllPairsAndImages)
 // One, two or three cells across: a cell is its own neighbour, or has the same one on both sides.
 TEST(ClosePairs, AreThoseOfNarrowBoxes)
 {
-  for (const double side : {0.016, 0.031, 0.046, 0.062, 0.093}) {
+  for (const double side : {0.013, 0.031, 0.046, 0.062, 0.093}) {
     SCOPED_TRACE(side);
     expect_same_pairs(ideal_gas(50, side, 0.0, 0.005, 16), {{side, side, side}}, 0.0, 5);
     auto rods = ideal_gas(60, side, 0.03, 0.005, 17);
@@ -139,6 +139,9 @@ TEST(ClosePairs, AreThoseOfNarrowBoxes)
       u = (1.0 / norm({0.05 * u.x, 0.05 * u.y, 1.0})) * Vec3{0.05 * u.x, 0.05 * u.y, 1.0};
     }
     expect_same_pairs(rods, {{side, side, 0.0}}, 0.0, 15);
+    // Any direction, as long as the box allows: axes of 0.9 of it less the thickness.
+    const double half = std::max(0.0, 0.45 * side - 0.005);
+    expect_same_pairs(ideal_gas(50, side, half, 0.005, 18), {{side, side, side}}, 0.0, 5);
   }
 }
 
@@ -183,8 +186,8 @@ TEST(ClosePairs, BoxesThatAreTooSmall)
   EXPECT_NO_THROW(close_pairs(rods, {{0.11, 0, 0}}, 0.0));
   EXPECT_THROW(close_pairs(rods, {{0.1099, 0, 0}}, 0.0), InputError);
   const std::vector<Rod> ball{rod({0, 0, 0}, {1, 0, 0}, 0.0, 0.005)};
-  EXPECT_NO_THROW(close_pairs(ball, {{0.015, 0, 0}}, 0.0));
-  EXPECT_THROW(close_pairs(ball, {{0.0149, 0, 0}}, 0.0), InputError);
+  EXPECT_NO_THROW(close_pairs(ball, {{0.01, 0, 0}}, 0.0));
+  EXPECT_THROW(close_pairs(ball, {{0.0099, 0, 0}}, 0.0), InputError);
 }
 
 // Upright rods on a square lattice, every second one raised by 0.06: four neighbours each, three at an
