@@ -30,8 +30,8 @@ struct Bed {
   std::size_t file;       // index into the dumps
 };
 
-// Calls `work` for each chosen frame of each dump; leaves out frames without rods if all are chosen.
-// Throws InputError if there is nothing to work on, or for all frames of several files.
+// Calls `work` for each chosen frame of each dump; leaves out frames without rods if all are
+// chosen. Throws InputError if there is nothing to work on, or for all frames of several files.
 void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)> &work);
 
 struct VesselOptions {

@@ -17,8 +17,8 @@
 namespace spherocylinder {
 namespace {
 
-// Length of a piece over the largest diameter: shorter ones make more of them, longer ones more pairs
-// that are not near. The time is flat between 4 and 8.
+// Length of a piece over the largest diameter: shorter ones make more of them, longer ones more
+// pairs that are not near. The time is flat between 4 and 8.
 constexpr double piece_in_diameters = 5.0;
 
 // Relative room for the rounding of positions; far above it, far below a piece.
@@ -75,8 +75,8 @@ class PieceGrid {
   const Piece *begin(std::size_t cell) const { return pieces_.data() + starts_[cell]; }
   const Piece *end(std::size_t cell) const { return pieces_.data() + starts_[cell + 1]; }
 
-  // Half of a cell's 26 neighbours, so that each pair of cells comes once, and the number of sides of
-  // the box to be added to their pieces.
+  // Half of a cell's 26 neighbours, so that each pair of cells comes once, and the number of sides
+  // of the box to be added to their pieces.
   template <class Work>
   void for_half_of_neighbours(std::size_t cell, Work work) const
   {
@@ -234,13 +234,14 @@ class PairFinder {
     // First what needs no look at the rods, which lie scattered in memory.
     if (norm_squared(q.middle + times_side(sides) - p.middle) > near_squared_) return;
     if (p.rod == q.rod) return;
-    // The rod that comes first in the frame is i, so that a pair of rods gives the same bits wherever
-    // its pieces meet.
+    // The rod that comes first in the frame is i, so that a pair of rods gives the same bits
+    // wherever its pieces meet.
     const bool in_order = p.rod < q.rod;
     const Piece &a = in_order ? p : q, &b = in_order ? q : p;
     const Capsule &i = rods_[a.rod].capsule, &j = rods_[b.rod].capsule;
     std::array<int, 3> image;  // of j beside i as the frame has them
-    for (int d = 0; d < 3; ++d) image[d] = (in_order ? sides[d] : -sides[d]) + b.wrap[d] - a.wrap[d];
+    for (int d = 0; d < 3; ++d)
+      image[d] = (in_order ? sides[d] : -sides[d]) + b.wrap[d] - a.wrap[d];
     Segment moved = j.segment;
     moved.centre = moved.centre + times_side(image);
     pairs_.set(waiting_, i.segment, moved, i.radius + j.radius + largest_gap_);
@@ -355,15 +356,16 @@ std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodici
   for (const Rod &rod : rods) largest_radius = std::max(largest_radius, rod.capsule.radius);
   const double reach = 2.0 * largest_radius + largest_gap;
   const double longest = piece_in_diameters * 2.0 * largest_radius;
-  // A piece and the reach are then shorter than the box together, so that a single cell across it, its
-  // own neighbour on both sides, will do: the shifts tell the images apart.
+  // A piece and the reach are then shorter than the box together, so that a single cell across it,
+  // its own neighbour on both sides, will do: the shifts tell the images apart.
   for (int d = 0; d < 3; ++d) {
     const double side = box.side[d];
     const double least = largest_extent(rods, d) + largest_gap;
     if (side > 0.0 && side < least)
-      throw InputError(fmt::format("the periodic box is {:.6g} m wide in {}, wanted at least {:.6g} m "
-                                   "for these rods",
-                                   side, "xyz"[d], least));
+      throw InputError(
+          fmt::format("the periodic box is {:.6g} m wide in {}, wanted at least {:.6g} m "
+                      "for these rods",
+                      side, "xyz"[d], least));
   }
 
   const PieceGrid grid(rods, box, reach, longest);

@@ -22,7 +22,8 @@ struct Keyword {
   std::size_t columns;  // 0: as many as the contact models have
 };
 
-// In the order of the columns, whatever that of the keywords (docs/compute_gran_local_spherocylinder.md).
+// In the order of the columns, whatever that of the keywords
+// (docs/compute_gran_local_spherocylinder.md).
 constexpr std::array<Keyword, 15> all_keywords{{{"pos", 6},
                                                 {"vel", 6},
                                                 {"id", 3},
@@ -134,7 +135,8 @@ std::vector<std::size_t> LocalForces::columns_of(std::size_t first, std::size_t 
       throw InputError(fmt::format("{}:{}: columns of two computes, {} and {}, wanted those of one",
                                    frame_.path, frame_.header_line, id, column->id));
     id = column->id;
-    if (column->number >= first && column->number < first + count) found[column->number - first] = k;
+    if (column->number >= first && column->number < first + count)
+      found[column->number - first] = k;
   }
   for (std::size_t k = 0; k < count; ++k)
     if (found[k] == nowhere)
@@ -150,10 +152,10 @@ std::uint32_t LocalForces::rod_of(std::size_t row, std::size_t column,
   const double id = frame_.value(row, column);
   const auto found = rods.find(static_cast<std::int64_t>(id));
   if (found == rods.end() || static_cast<double>(found->first) != id)
-    throw InputError(fmt::format("{}:{}: id {} is none of the rods of step {} of {} (do the keywords "
-                                 "of {} fit?)",
-                                 frame_.path, frame_.line_of(row), id, rods_frame.step,
-                                 rods_frame.path, option_));
+    throw InputError(fmt::format(
+        "{}:{}: id {} is none of the rods of step {} of {} (do the keywords "
+        "of {} fit?)",
+        frame_.path, frame_.line_of(row), id, rods_frame.step, rods_frame.path, option_));
   return found->second;
 }
 

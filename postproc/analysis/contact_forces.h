@@ -27,14 +27,14 @@ constexpr const char *default_local_keywords =
 class LocalForces {
  public:
   // `keywords`: those of the compute's command, parted by blanks; with them the columns
-  // c_ID[1], c_ID[2], ... of the file, any of them in any order, are told apart. `option` names them
-  // in messages. Throws InputError if one is unknown or `id` or `force` is not among them.
+  // c_ID[1], c_ID[2], ... of the file, any of them in any order, are told apart. `option` names
+  // them in messages. Throws InputError if one is unknown or `id` or `force` is not among them.
   LocalForces(const std::string &path, LocalKind kind, const std::string &keywords,
               const std::string &option);
 
   // Reads on to the step of `rods_frame` and gives the forces of its rods, whose indices are those
-  // of `rods`. Throws InputError if there is no such step, if columns of id or force are missing, or
-  // if an id is none of the rods'.
+  // of `rods`. Throws InputError if there is no such step, if columns of id or force are missing,
+  // or if an id is none of the rods'.
   std::vector<ContactForce> at_step(const DumpFrame &rods_frame, const std::vector<Rod> &rods);
 
  private:
@@ -58,8 +58,8 @@ struct ForceChains {
 };
 
 // The strong network of Radjai, Wolf, Jean and Moreau, Phys. Rev. Lett. 80 (1998) 61: contacts that
-// carry more than the mean, here more than `factor` times the mean of |force| over the pairs. A chain
-// is a set of rods that strong contacts join, directly or through others.
+// carry more than the mean, here more than `factor` times the mean of |force| over the pairs. A
+// chain is a set of rods that strong contacts join, directly or through others.
 ForceChains force_chains(std::size_t rods, const std::vector<ContactForce> &pairs, double factor);
 
 }  // namespace spherocylinder

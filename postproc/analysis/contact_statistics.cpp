@@ -111,7 +111,8 @@ Spread spread_of(const std::vector<double> &values)
 {
   if (values.empty()) return {{none, none}, none, none};
   const MeanWithError squares = mean_of(values, [](double value) { return value * value; });
-  return {mean_of(values), std::sqrt(squares.mean), *std::max_element(values.begin(), values.end())};
+  return {mean_of(values), std::sqrt(squares.mean),
+          *std::max_element(values.begin(), values.end())};
 }
 
 std::vector<HistogramBin> histogram(const std::vector<double> &values, double high,

@@ -74,8 +74,9 @@ MeanWithError sin_gamma_of_pairs(const std::vector<Vec3> &axes, std::size_t most
   const double of_pairs = std::max(0.0, mean_square - mean.mean * mean.mean);
   // mean.error^2 is the variance of the h_i over n, to which the few partners of each add a part of
   // that of the pairs.
-  const double of_axes = std::max(
-      0.0, static_cast<double>(n - 1) * static_cast<double>(n) * mean.error * mean.error - of_pairs);
+  const double of_axes =
+      std::max(0.0, static_cast<double>(n - 1) * static_cast<double>(n) * mean.error * mean.error -
+                        of_pairs);
   return {mean.mean, std::sqrt((4.0 * of_axes + 2.0 * of_pairs) / pairs)};
 }
 

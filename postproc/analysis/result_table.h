@@ -14,12 +14,13 @@ namespace spherocylinder {
 
 // What becomes of a column when the same row of several files becomes one.
 enum class OverFiles {
-  same,     // it is alike in all files (the edge of a bin); left empty where it is not
-  sum,      // counts
-  mean,     // over the files that have a value
-  error,    // standard error of the mean in the column before, over the files that have a value
+  same,   // it is alike in all files (the edge of a bin); left empty where it is not
+  sum,    // counts
+  mean,   // over the files that have a value
+  error,  // standard error of the mean in the column before, over the files that have a value
   largest,
-  scatter,  // standard deviation of a mean of one file: goes down with the square root of their number
+  scatter,  // standard deviation of a mean of one file: goes down with the square root of their
+            // number
 };
 
 struct Column {

@@ -426,13 +426,15 @@ void print_forces(const Result &r, double strong)
     fmt::print("  forces between rods   {:9}       mean {:.4g} -+ {:.2g} N, largest {:.4g} N\n",
                forces.pairs.size(), spread.mean.mean, spread.mean.error, spread.largest);
     if (forces.pairs_apart > 0)
-      fmt::print("                        {:9}       of them between rods that the dump of rods shows "
-                 "apart\n",
-                 forces.pairs_apart);
-    fmt::print("  strong contacts       {:9}       above {:.3g} of the mean; {} chains, the largest of "
-               "{} rods\n",
-               forces.chains.strong, strong, forces.chains.sizes.size(),
-               forces.chains.sizes.empty() ? 0 : forces.chains.sizes[0]);
+      fmt::print(
+          "                        {:9}       of them between rods that the dump of rods shows "
+          "apart\n",
+          forces.pairs_apart);
+    fmt::print(
+        "  strong contacts       {:9}       above {:.3g} of the mean; {} chains, the largest of "
+        "{} rods\n",
+        forces.chains.strong, strong, forces.chains.sizes.size(),
+        forces.chains.sizes.empty() ? 0 : forces.chains.sizes[0]);
   }
   if (r.wall_forces) {
     const Forces &forces = *r.wall_forces;
@@ -457,9 +459,10 @@ void print_table(const Result &r, const std::vector<double> &row, const Options 
   fmt::print("  contacts a rod         {:8.4f} -+ {:.4f}   ({} between rods)\n",
              value("contacts_per_rod"), value("contacts_per_rod_error"), r.pairs.size());
   if (r.doubtful_pairs > 0)
-    fmt::print("    doubtful             {:8}             pairs within {:g} diameters of touching, which "
-               "six digits do not tell\n",
-               r.doubtful_pairs, doubtful_gap);
+    fmt::print(
+        "    doubtful             {:8}             pairs within {:g} diameters of touching, which "
+        "six digits do not tell\n",
+        r.doubtful_pairs, doubtful_gap);
   if (with_walls)
     fmt::print("    with walls           {:8.4f} -+ {:.4f}   ({} at walls)\n",
                value("contacts_per_rod_with_walls"), value("contacts_per_rod_with_walls_error"),
@@ -515,9 +518,9 @@ class Tables {
     overlaps_.add(over_mean_rows(r, pair_overlaps(bed.rods, r.pairs),
                                  wall_overlaps(bed.rods, r.walls), bins_));
     if (r.pair_forces || r.wall_forces)
-      forces_.add(over_mean_rows(r, r.pair_forces ? r.pair_forces->pair_sizes : std::vector<double>{},
-                                 r.wall_forces ? r.wall_forces->wall_sizes : std::vector<double>{},
-                                 bins_));
+      forces_.add(
+          over_mean_rows(r, r.pair_forces ? r.pair_forces->pair_sizes : std::vector<double>{},
+                         r.wall_forces ? r.wall_forces->wall_sizes : std::vector<double>{}, bins_));
     if (r.pair_forces) chains_.add(chain_rows(r));
     if (!several_) contacts_.add(contact_rows(r, bed.rods));
   }
@@ -564,8 +567,9 @@ void run(const Options &options)
 int main(int argc, char **argv)
 {
   Options options;
-  CLI::App app("Where the rods of a bed touch each other and the walls, and what the contacts carry.",
-               "rod_contacts");
+  CLI::App app(
+      "Where the rods of a bed touch each other and the walls, and what the contacts carry.",
+      "rod_contacts");
   app.footer(
       "Example: rod_contacts bed.dump --vessel-radius 0.305 --csv contacts.csv --tables contacts");
   add_bed_options(app, options.beds);

@@ -200,7 +200,10 @@ MeanWithError random_contact(double lambda, const MeanWithError &sin_gamma, doub
   return {at(sin_gamma.mean), std::abs(slope) * sin_gamma.error};
 }
 
-bool has_side(const std::optional<Vessel> &vessel) { return vessel && std::isfinite(vessel->radius); }
+bool has_side(const std::optional<Vessel> &vessel)
+{
+  return vessel && std::isfinite(vessel->radius);
+}
 
 Order order_of(const std::vector<Rod> &rods, const std::optional<Vessel> &vessel,
                double half_contacts)
@@ -236,9 +239,10 @@ std::vector<WallBin> by_wall(const std::vector<Rod> &rods, const Vessel &vessel,
   for (const Rod &rod : rods) {
     const double distance = wall_distance(rod, vessel, options.wall);
     if (!(distance / width < most_wall_bins))
-      throw InputError(fmt::format("--wall-width: {} m make more than {} bins up to a rod {} m from "
-                                   "the wall, wanted a larger width",
-                                   width, most_wall_bins, distance));
+      throw InputError(
+          fmt::format("--wall-width: {} m make more than {} bins up to a rod {} m from "
+                      "the wall, wanted a larger width",
+                      width, most_wall_bins, distance));
     const auto bin = static_cast<std::size_t>(distance / width);
     if (bin >= rods_of_bin.size()) rods_of_bin.resize(bin + 1);
     rods_of_bin[bin].push_back(rod);
@@ -428,37 +432,41 @@ void print_order(const Result &r)
       "  nematic order          {:8.4f} {:7.4f}   {:9.4f}   (1/sqrt(n)), director ({:.3f}, {:.3f}, "
       "{:.3f})\n",
       o.nematic.order, o.nematic.error, 1.0 / std::sqrt(n), d.x, d.y, d.z);
-  fmt::print("    squared, unbiased    {:8.4f}           {:9.4f}   -+ {:.4f}\n", o.squared_order, 0.0,
-             isotropic_scatter_of_squared_order(o.rods));
+  fmt::print("    squared, unbiased    {:8.4f}           {:9.4f}   -+ {:.4f}\n", o.squared_order,
+             0.0, isotropic_scatter_of_squared_order(o.rods));
   fmt::print(
       "  azimuthal order        {:8.4f} {:7.4f}   {:9.4f}   (1/sqrt(n)), heading {:.1f} deg\n",
       o.azimuthal.order, o.azimuthal.error, 1.0 / std::sqrt(n), o.azimuthal.azimuth * degrees);
   if (!std::isnan(o.radial.mean))
-    fmt::print("  radial order           {:8.4f} {:7.4f}   {:9.4f}   (-1 around the axis, 1 towards "
-               "it)\n",
-               o.radial.mean, o.radial.error, 0.0);
-  fmt::print("  <|sin gamma|>          {:8.4f} {:7.4f}   {:9.4f}   {} of {} axes\n", o.sin_gamma.mean,
-             o.sin_gamma.error, isotropic_sin_gamma, o.rods > most_axes_paired ? "pairs" : "all pairs",
-             std::min(o.rods, most_axes_paired));
+    fmt::print(
+        "  radial order           {:8.4f} {:7.4f}   {:9.4f}   (-1 around the axis, 1 towards "
+        "it)\n",
+        o.radial.mean, o.radial.error, 0.0);
+  fmt::print("  <|sin gamma|>          {:8.4f} {:7.4f}   {:9.4f}   {} of {} axes\n",
+             o.sin_gamma.mean, o.sin_gamma.error, isotropic_sin_gamma,
+             o.rods > most_axes_paired ? "pairs" : "all pairs", std::min(o.rods, most_axes_paired));
   if (r.near_pairs > 0)
-    fmt::print("    of near pairs        {:8.4f} {:7.4f}   {:9.4f}   {} pairs\n", r.near_sin_gamma.mean,
-               r.near_sin_gamma.error, isotropic_contact_sin_gamma, r.near_pairs);
+    fmt::print("    of near pairs        {:8.4f} {:7.4f}   {:9.4f}   {} pairs\n",
+               r.near_sin_gamma.mean, r.near_sin_gamma.error, isotropic_contact_sin_gamma,
+               r.near_pairs);
 }
 
 void print_table(const Result &r, const Options &options)
 {
   fmt::print("step {}: {} rods\n", r.step, r.order.rods);
   print_order(r);
-  fmt::print("  V_f by random contacts {:8.4f} {:7.4f}   {:9.4f}   lambda {:.4g}, {:.4g} contacts "
-             "counted on each rod\n",
-             r.order.random_contact.mean, r.order.random_contact.error,
-             random_contact_fraction(r.lambda, isotropic_sin_gamma, options.half_contacts), r.lambda,
-             options.half_contacts);
+  fmt::print(
+      "  V_f by random contacts {:8.4f} {:7.4f}   {:9.4f}   lambda {:.4g}, {:.4g} contacts "
+      "counted on each rod\n",
+      r.order.random_contact.mean, r.order.random_contact.error,
+      random_contact_fraction(r.lambda, isotropic_sin_gamma, options.half_contacts), r.lambda,
+      options.half_contacts);
   if (r.measured)
-    fmt::print("    as measured          {:8.4f}           inner cylinder ({:.4f} whole vessel): {:.3f} "
-               "contacts\n",
-               r.measured->inner, r.measured->whole,
-               r.measured->inner / r.order.random_contact.mean * options.half_contacts);
+    fmt::print(
+        "    as measured          {:8.4f}           inner cylinder ({:.4f} whole vessel): {:.3f} "
+        "contacts\n",
+        r.measured->inner, r.measured->whole,
+        r.measured->inner / r.order.random_contact.mean * options.half_contacts);
   fmt::print("  chi^2 of the bins      {:8.1f}           {:9}\n", r.chi_squared,
              r.histogram.size() - 1);
   fmt::print("  elevation (deg)     count  fraction   error   isotropic  density\n");
@@ -467,8 +475,9 @@ void print_table(const Result &r, const Options &options)
                bin.high * degrees, bin.count, bin.fraction, bin.fraction_error,
                bin.isotropic_fraction, bin.density());
   if (r.by_wall.empty()) return;
-  fmt::print("  from {} wall (m)    rods  elevation   error  squared order  radial  <|sin gamma|>\n",
-             options.wall == "nearest" ? "nearest" : options.wall);
+  fmt::print(
+      "  from {} wall (m)    rods  elevation   error  squared order  radial  <|sin gamma|>\n",
+      options.wall);
   for (const WallBin &bin : r.by_wall)
     fmt::print("  {:7.4g} - {:7.4g}  {:8}  {:9.2f} {:7.2f}  {:13.4f} {:7.3f}  {:13.4f}\n", bin.low,
                bin.high, bin.order.rods, bin.order.elevation.mean * degrees,

@@ -168,7 +168,8 @@ TEST(ClosePairs, ParallelRodsComeOnce)
 
 TEST(ClosePairs, NormalPointsToTheFirst)
 {
-  // Crossed at right angles, j 0.009 above i: they overlap by 0.001, touching at s = 0.02, t = -0.01.
+  // Crossed at right angles, j 0.009 above i: they overlap by 0.001, touching at s = 0.02, t =
+  // -0.01.
   const std::vector<Rod> rods{rod({0, 0, 0}, {1, 0, 0}, 0.05, 0.005),
                               rod({0.02, 0.01, 0.009}, {0, 1, 0}, 0.05, 0.005)};
   const auto pairs = close_pairs(rods, {}, 0.0);
@@ -190,9 +191,9 @@ TEST(ClosePairs, BoxesThatAreTooSmall)
   EXPECT_THROW(close_pairs(ball, {{0.0099, 0, 0}}, 0.0), InputError);
 }
 
-// Upright rods on a square lattice, every second one raised by 0.06: four neighbours each, three at an
-// edge, two at a corner. Raised and lowered rods share a length whose middle is 0.03 above the centre
-// of the lower one.
+// Upright rods on a square lattice, every second one raised by 0.06: four neighbours each, three at
+// an edge, two at a corner. Raised and lowered rods share a length whose middle is 0.03 above the
+// centre of the lower one.
 TEST(Contacts, OfAParallelLattice)
 {
   constexpr int side = 6;
@@ -219,8 +220,8 @@ TEST(Contacts, OfAParallelLattice)
             std::vector<std::uint32_t>(rods.size(), 4u));
 }
 
-// Layers of parallel rods, each across the one below: a rod touches all rods of the layers above and
-// below, at the lattice's places.
+// Layers of parallel rods, each across the one below: a rod touches all rods of the layers above
+// and below, at the lattice's places.
 TEST(Contacts, OfCrossedLayers)
 {
   constexpr int across = 5, layers = 4;
@@ -267,9 +268,9 @@ TEST(Contacts, SidesAndEnds)
 }
 
 // Rods that know nothing of each other: as many pairs have a gap within -+ shell as the excluded
-// volumes of rods thicker and thinner by it differ, in the proportions of its three parts; places on
-// the sides are even; and side contacts are in proportion to |sin gamma|, so that among them its mean
-// is <sin^2>/<sin>.
+// volumes of rods thicker and thinner by it differ, in the proportions of its three parts; places
+// on the sides are even; and side contacts are in proportion to |sin gamma|, so that among them its
+// mean is <sin^2>/<sin>.
 TEST(Contacts, OfRodsThatKnowNothingOfEachOther)
 {
   const double x = 8.0, radius = 0.005, half = x * radius, side = 0.4, shell = 1e-3, n = 6000;
@@ -282,7 +283,8 @@ TEST(Contacts, OfRodsThatKnowNothingOfEachOther)
   const auto excluded = [&](double d) {
     return 2 * s * L * L * d + 2 * pi * L * d * d + 4.0 / 3.0 * pi * d * d * d;
   };
-  const double wanted = 0.5 * n * n * (excluded(D + shell) - excluded(D - shell)) / std::pow(side, 3);
+  const double wanted =
+      0.5 * n * n * (excluded(D + shell) - excluded(D - shell)) / std::pow(side, 3);
   EXPECT_GT(wanted, 10000.0);
   EXPECT_NEAR(many, wanted, 4 * std::sqrt(wanted));
 
@@ -367,9 +369,10 @@ TEST(ForceChains, AreWhatStrongContactsJoin)
 TEST(ResultTables, SeveralFilesBecomeOne)
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Column> columns{{"edge", OverFiles::same},       {"count", OverFiles::sum},
-                                    {"part", OverFiles::mean},       {"part_error", OverFiles::error},
-                                    {"scatter", OverFiles::scatter}, {"most", OverFiles::largest}};
+  const std::vector<Column> columns{
+      {"edge", OverFiles::same},       {"count", OverFiles::sum},
+      {"part", OverFiles::mean},       {"part_error", OverFiles::error},
+      {"scatter", OverFiles::scatter}, {"most", OverFiles::largest}};
   const Rows rows = combine_files(columns, {{{1, 10, 0.2, 9, 3, 5}},
                                             {{1, 20, 0.4, 9, 4, 7}, {2, 5, 0.7, 9, 1, 1}},
                                             {{1, 3, none, none, none, none}}});
@@ -377,7 +380,8 @@ TEST(ResultTables, SeveralFilesBecomeOne)
   EXPECT_EQ(rows[0][0], 1);
   EXPECT_EQ(rows[0][1], 33);
   EXPECT_NEAR(rows[0][2], 0.3, 1e-15);
-  EXPECT_NEAR(rows[0][3], 0.1, 1e-15);  // deviations -+0.1, sample deviation 0.1 sqrt(2), over sqrt(2)
+  EXPECT_NEAR(rows[0][3], 0.1,
+              1e-15);  // deviations -+0.1, sample deviation 0.1 sqrt(2), over sqrt(2)
   EXPECT_NEAR(rows[0][4], 2.5, 1e-15);  // sqrt(3^2 + 4^2)/2
   EXPECT_EQ(rows[0][5], 7);
   EXPECT_EQ(rows[1][2], 0.7);

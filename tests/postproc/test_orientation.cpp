@@ -158,7 +158,8 @@ TEST(Orientation, SquaredOrderHasNoBias)
     if (aligned > 0.0) continue;
     EXPECT_GT(mean_of(raw).mean, 0.5 / axes);
     // The scatter of a scatter: 1/sqrt(2 draws) and some for the long tail.
-    EXPECT_NEAR(found.error * std::sqrt(draws) / isotropic_scatter_of_squared_order(axes), 1.0, 0.08);
+    EXPECT_NEAR(found.error * std::sqrt(draws) / isotropic_scatter_of_squared_order(axes), 1.0,
+                0.08);
   }
 }
 
@@ -183,8 +184,8 @@ TEST(Orientation, ErrorsAreTheScatter)
     const auto scatter = [&](const std::vector<double> &values) {
       return mean_of(values).error * std::sqrt(static_cast<double>(draws));
     };
-    // Where nothing is aligned the variance estimate is cut off at its smallest value, so that it is
-    // up to a third too large there.
+    // Where nothing is aligned the variance estimate is cut off at its smallest value, so that it
+    // is up to a third too large there.
     EXPECT_NEAR(std::sqrt(mean_of(sine_variance).mean) / scatter(sine), aligned > 0.0 ? 1.0 : 1.15,
                 aligned > 0.0 ? 0.08 : 0.2)
         << aligned;

@@ -86,9 +86,10 @@ class Programs : public ScratchFolder {
   void pour_heap()
   {
     std::filesystem::create_directory(folder() / "mpi");
-    ASSERT_EQ(run("env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_tmpdir_base=$PWD/mpi lmp -in '" +
-                  tests + "/in.heap'"),
-              0)
+    ASSERT_EQ(
+        run("env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_tmpdir_base=$PWD/mpi lmp -in '" +
+            tests + "/in.heap'"),
+        0)
         << out_ << error_;
   }
 
@@ -136,7 +137,8 @@ class Programs : public ScratchFolder {
 
 TEST_F(Programs, HelpShowsAnExample)
 {
-  for (const std::string program : {"rod_packing", "rod_orientation", "rod_contacts", "rod_vtk", "rod_render"}) {
+  for (const std::string program :
+       {"rod_packing", "rod_orientation", "rod_contacts", "rod_vtk", "rod_render"}) {
     EXPECT_EQ(run(program + " --help"), 0);
     EXPECT_NE(out_.find("Example: " + program + " "), std::string::npos) << out_;
     EXPECT_EQ(error_, "");
@@ -228,7 +230,8 @@ TEST_F(Programs, MeansOfSeveralFiles)
 {
   std::vector<double> elevations;
   for (const std::string name : {"seed1", "seed2", "seed3"}) {
-    ASSERT_EQ(run("rod_orientation " + name + ".dump --vessel-radius 0.305 --summary-csv one.csv"), 0);
+    ASSERT_EQ(run("rod_orientation " + name + ".dump --vessel-radius 0.305 --summary-csv one.csv"),
+              0);
     auto row = csv_row(read("one.csv"));
     EXPECT_GT(row["mean_elevation_error_deg"], 1.0);
     elevations.push_back(row["mean_elevation_deg"]);
@@ -304,8 +307,8 @@ TEST_F(Programs, ContactsOfThreeRods)
   EXPECT_EQ(csv_row(read("c.csv"))["wall_contacts"], 4);
 }
 
-// A heap at rest: its contacts hold the weight of its rods, each force sits on a pair that touches, and
-// the forces that act on a rod keep it in place.
+// A heap at rest: its contacts hold the weight of its rods, each force sits on a pair that touches,
+// and the forces that act on a rod keep it in place.
 TEST_F(Programs, ForcesOfAHeap)
 {
   pour_heap();
@@ -331,7 +334,8 @@ TEST_F(Programs, ForcesOfAHeap)
   EXPECT_LT(row["strong_fraction"], 0.5);
   EXPECT_GT(row["largest_chain_rods"], 2);
 
-  expect_refusal("rod_contacts heap.dump --local heap.pairs", "heap.pairs:9: column c_ID[13] is missing");
+  expect_refusal("rod_contacts heap.dump --local heap.pairs",
+                 "heap.pairs:9: column c_ID[13] is missing");
   expect_refusal("rod_contacts heap.dump --local heap.walls --local-keywords 'id force'",
                  "column c_ID[1] is missing, wanted the rods' ids (by --local-keywords)");
   expect_refusal("rod_contacts bed.dump --local heap.pairs --local-keywords 'id force'",
@@ -373,7 +377,8 @@ TEST_F(Programs, WrongOptions)
   expect_refusal("rod_orientation bed.dump --bins 0", "--bins");
   expect_refusal("rod_orientation bed.dump --spacing wide", "--spacing");
   expect_refusal("rod_orientation bed.dump --near -1", "--near");
-  expect_refusal("rod_orientation bed.dump --wall-csv a.csv", "wanted with --vessel-radius or --floor");
+  expect_refusal("rod_orientation bed.dump --wall-csv a.csv",
+                 "wanted with --vessel-radius or --floor");
   expect_refusal("rod_orientation bed.dump --floor 0 --wall side", "--wall: 'side' is wanted with");
   expect_refusal("rod_orientation bed.dump --vessel-radius 1 --wall-width 1e-9",
                  "--wall-width: 1e-09 m make more than 10000 bins");
@@ -383,7 +388,8 @@ TEST_F(Programs, WrongOptions)
   expect_refusal("rod_contacts bed.dump --strong 0", "--strong");
   expect_refusal("rod_contacts bed.dump --vessel-radius 0.1", "rod centres are outside the vessel");
   expect_refusal("rod_contacts bed.dump --local none.pairs", "none.pairs: cannot be opened");
-  expect_refusal("rod_contacts bed.dump --local bed.dump --local-keywords 'force'", "'id' is not among");
+  expect_refusal("rod_contacts bed.dump --local bed.dump --local-keywords 'force'",
+                 "'id' is not among");
   expect_refusal("rod_contacts bed.dump bed.dump --contacts-csv a.csv",
                  "--contacts-csv: wanted with one DUMP file only (got 2)");
   expect_refusal("rod_vtk bed.dump --geometry cubes", "--geometry");
