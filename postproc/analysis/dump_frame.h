@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One time step of a LIGGGHTS `dump custom` text file, as numbers with named columns.
+// One time step of a LIGGGHTS `dump custom` or `dump local` text file, as numbers with named columns.
 #pragma once
 
 #include <array>
@@ -14,12 +14,13 @@ namespace spherocylinder {
 
 struct DumpFrame {
   std::string path;             // file it came from, for messages
-  std::size_t header_line = 0;  // line number (from 1) of "ITEM: ATOMS"; rows follow without gaps
+  std::size_t header_line = 0;  // line number (from 1) of the columns; rows follow without gaps
 
   std::int64_t step = 0;
   std::optional<double> time;                  // s, if the file has "ITEM: TIME"
   std::array<std::array<double, 2>, 3> box{};  // lower and upper bound in x, y, z (m)
   bool box_is_tilted = false;
+  std::array<bool, 3> periodic{};  // in x, y, z; false too if the file does not say
 
   std::size_t rows = 0;
   std::vector<std::string> columns;

@@ -3,56 +3,61 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "analysis/input_error.h"
+#include "analysis/progress.h"
+#include "analysis/row_parser.h"
 #include "analysis/text.h"
 
 namespace spherocylinder {
 namespace {
 
-constexpr double largest_id = 9007199254740992.0;  // 2^53, the last whole number a double counts to
+// A double does not tell 2^53 from 2^53 + 1.
+constexpr double too_large_id = 9007199254740992.0;
 
 constexpr std::string_view item_step = "ITEM: TIMESTEP";
-constexpr std::string_view item_count = "ITEM: NUMBER OF ATOMS";
 constexpr std::string_view item_box = "ITEM: BOX BOUNDS";
-constexpr std::string_view item_atoms = "ITEM: ATOMS";
 constexpr std::string_view item_time = "ITEM: TIME";
+
+// What announces the number of rows, and the rows.
+std::string_view item_count(DumpKind kind)
+{
+  return kind == DumpKind::atoms ? "ITEM: NUMBER OF ATOMS" : "ITEM: NUMBER OF ENTRIES";
+}
+
+std::string_view item_rows(DumpKind kind)
+{
+  return kind == DumpKind::atoms ? "ITEM: ATOMS" : "ITEM: ENTRIES";
+}
+
+std::string_view name_of_rows(DumpKind kind)
+{
+  return kind == DumpKind::atoms ? "atoms" : "entries";
+}
+
+std::string_view name_of_row(DumpKind kind) { return kind == DumpKind::atoms ? "atom" : "entry"; }
 
 bool starts_with(std::string_view text, std::string_view head)
 {
   return text.substr(0, head.size()) == head;
 }
 
-bool is_item(std::string_view line) { return starts_with(line, "ITEM:"); }
-
 }  // namespace
 
-DumpReader::DumpReader(const std::string &path) : path_(path)
-{
-  if (std::filesystem::is_directory(path))
-    throw InputError(fmt::format("{}: is a folder, wanted a dump file", path));
-  file_.open(path, std::ios::binary);
-  if (!file_) throw InputError(fmt::format("{}: cannot be opened for reading", path));
-}
+DumpReader::DumpReader(const std::string &path, DumpKind kind) : lines_(path), kind_(kind) {}
 
 void DumpReader::fail(const std::string &what) const
 {
-  throw InputError(fmt::format("{}:{}: {}", path_, line_number_, what));
+  throw InputError(fmt::format("{}:{}: {}", lines_.path(), lines_.line_number(), what));
 }
 
-// LIGGGHTS ends every line with a line end, so that a line without one was cut off.
 bool DumpReader::read_line()
 {
-  if (!std::getline(file_, buffer_)) {
-    if (file_.bad()) fail("cannot be read any further");
-    return false;
-  }
-  ++line_number_;
-  if (file_.eof()) fail("the file is cut off within this line, wanted a line end");
-  line_ = trimmed_end(buffer_);
+  if (!lines_.next_line(line_)) return false;
+  line_ = trimmed_end(line_);
   return true;
 }
 
@@ -76,24 +81,26 @@ bool DumpReader::next(DumpFrame &frame)
   do {
     if (!read_line()) {
       if (any_frame_) return false;
-      throw InputError(fmt::format("{}: {}, wanted a dump that begins with '{}'", path_,
-                                   line_number_ == 0 ? "is empty" : "holds no text", item_step));
+      throw InputError(fmt::format("{}: {}, wanted a dump that begins with '{}'", lines_.path(),
+                                   lines_.line_number() == 0 ? "is empty" : "holds no text",
+                                   item_step));
     }
   } while (line_.empty());
   if (line_ != item_step)
     fail(fmt::format("{}, wanted '{}'{}", shown(line_), item_step,
-                     any_frame_ ? " or the end of the file (more atom lines than the header says?)"
+                     any_frame_ ? " or the end of the file (more lines than the header says?)"
                                 : ": not a LIGGGHTS dump file"));
 
-  frame.path = path_;
+  const std::string_view count_line = item_count(kind_), rows_line = item_rows(kind_);
+  frame.path = lines_.path();
   frame.step = integer_line("the time step");
   frame.time.reset();
   std::int64_t count = -1;
   bool have_box = false;
   while (true) {
     need_line("an 'ITEM:' line");
-    if (line_ == item_count) {
-      count = integer_line("the number of atoms");
+    if (line_ == count_line) {
+      count = integer_line(fmt::format("the number of {}", name_of_rows(kind_)));
     } else if (starts_with(line_, item_box)) {
       read_box(frame);
       have_box = true;
@@ -103,29 +110,51 @@ bool DumpReader::next(DumpFrame &frame)
       if (!time || !std::isfinite(*time))
         fail(fmt::format("the time is {}, wanted a finite number", shown(line_)));
       frame.time = time;
-    } else if (starts_with(line_, item_atoms)) {
+    } else if (starts_with(line_, rows_line)) {
       break;
     } else if (starts_with(line_, "ITEM: UNITS") || starts_with(line_, "ITEM: LABEL")) {
       need_line("a word");
     } else {
-      fail(fmt::format("{}, wanted '{}', '{}' or '{}'", shown(line_), item_count, item_box,
-                       item_atoms));
+      fail(fmt::format("{}, wanted '{}', '{}' or '{}'", shown(line_), count_line, item_box,
+                       rows_line));
     }
   }
-  if (count < 0) fail(fmt::format("'{}' came before '{}'", item_atoms, item_count));
-  if (!have_box) fail(fmt::format("'{}' came before '{}'", item_atoms, item_box));
+  if (count < 0) fail(fmt::format("'{}' came before '{}'", rows_line, count_line));
+  if (!have_box) fail(fmt::format("'{}' came before '{}'", rows_line, item_box));
 
-  read_columns(line_.substr(item_atoms.size()), frame);
+  read_columns(line_.substr(rows_line.size()), frame);
   read_rows(frame, count);
-  check_ids(frame);
+  if (kind_ == DumpKind::atoms) check_ids(frame);
   any_frame_ = true;
   return true;
+}
+
+// The two letters of a direction: p periodic, f fixed, s shrink-wrapped, m the same with a minimum.
+// Old files have none.
+void DumpReader::read_boundary(std::string_view words, DumpFrame &frame)
+{
+  frame.periodic = {};
+  auto word = take_word(words);
+  if (word.empty()) return;
+  for (bool &periodic : frame.periodic) {
+    const bool known = word.size() == 2 && word.find_first_not_of("pfsm") == std::string_view::npos;
+    if (!known || (word[0] == 'p') != (word[1] == 'p'))
+      fail(fmt::format("the boundary flag of the box is {}, wanted pp or two of f, s and m",
+                       shown(word)));
+    periodic = word[0] == 'p';
+    word = take_word(words);
+  }
+  if (!word.empty()) fail(fmt::format("{} after three boundary flags of the box", shown(word)));
 }
 
 // "BOX BOUNDS ff ff ff" has two numbers a line; a tilted box ("xy xz yz ff ff ff") has three.
 void DumpReader::read_box(DumpFrame &frame)
 {
-  frame.box_is_tilted = line_.find(" xy ") != std::string_view::npos;
+  std::string_view words = line_.substr(item_box.size());
+  constexpr std::string_view tilts = " xy xz yz";
+  frame.box_is_tilted = starts_with(words, tilts);
+  if (frame.box_is_tilted) words.remove_prefix(tilts.size());
+  read_boundary(words, frame);
   for (auto &bounds : frame.box) {
     need_line("the bounds of the box");
     std::string_view rest = line_;
@@ -135,6 +164,11 @@ void DumpReader::read_box(DumpFrame &frame)
         fail(fmt::format("the bounds of the box are {}, wanted two finite numbers", shown(line_)));
       bound = *number;
     }
+    if (frame.box_is_tilted && !to_number<double>(take_word(rest)))
+      fail(fmt::format("the bounds of the box are {}, wanted a tilt behind them", shown(line_)));
+    if (!take_word(rest).empty())
+      fail(fmt::format("the bounds of the box are {}, wanted {} numbers", shown(line_),
+                       frame.box_is_tilted ? 3 : 2));
     if (bounds[1] < bounds[0])
       fail(fmt::format("the upper bound of the box is {}, wanted >= {}", bounds[1], bounds[0]));
   }
@@ -142,51 +176,45 @@ void DumpReader::read_box(DumpFrame &frame)
 
 void DumpReader::read_columns(std::string_view names, DumpFrame &frame)
 {
-  frame.header_line = line_number_;
+  frame.header_line = lines_.line_number();
   frame.columns.clear();
   is_text_.clear();
   for (auto name = take_word(names); !name.empty(); name = take_word(names)) {
     is_text_.push_back(name == "element");
     if (is_text_.back()) continue;
+    if (!is_printable(name))
+      fail(fmt::format("the name of column {} is {}, wanted plain letters", is_text_.size(),
+                       shown(name)));
     if (frame.find_column(name)) fail(fmt::format("column {} appears twice", shown(name)));
     frame.columns.emplace_back(name);
   }
-  if (!frame.find_column("id")) fail("column 'id' is missing");
+  if (kind_ == DumpKind::atoms && !frame.find_column("id")) fail("column 'id' is missing");
 }
 
 void DumpReader::read_rows(DumpFrame &frame, std::int64_t count)
 {
   frame.values.clear();
   frame.rows = 0;
-  for (std::int64_t row = 0; row < count; ++row) {
-    if (!read_line())
-      fail(fmt::format("the file ends after {} atoms of step {}, wanted {}", row, frame.step,
-                       count));
-    if (is_item(line_))
-      fail(fmt::format("step {} has {} atom lines, wanted {}", frame.step, row, count));
-    read_row(frame, frame.rows);
-    ++frame.rows;
+  const auto wanted = static_cast<std::size_t>(count);
+  const RowParser parser(frame.columns, is_text_);
+  Progress progress(fmt::format("{}: reading", lines_.path()));
+  while (frame.rows < wanted) {
+    const LineBlock block = lines_.next_lines(wanted - frame.rows);
+    if (block.lines == 0)
+      fail(fmt::format("the file ends after {} {} of step {}, wanted {}", frame.rows,
+                       name_of_rows(kind_), frame.step, count));
+    if (const auto failure = parser.append(block, frame.values)) {
+      const std::size_t row = frame.rows + failure->line;
+      const std::string what =
+          failure->what.empty()
+              ? fmt::format("step {} has {} {} lines, wanted {}", frame.step, row,
+                            name_of_row(kind_), count)
+              : fmt::format("{} line {}: {}", name_of_row(kind_), row + 1, failure->what);
+      throw InputError(fmt::format("{}:{}: {}", lines_.path(), frame.line_of(row), what));
+    }
+    frame.rows += block.lines;
+    progress.show(lines_.part_read());
   }
-}
-
-void DumpReader::read_row(DumpFrame &frame, std::size_t row)
-{
-  std::string_view rest = line_;
-  std::size_t column = 0;
-  for (const bool is_text : is_text_) {
-    const auto word = take_word(rest);
-    if (word.empty())
-      fail(fmt::format("atom line {} has too few words, wanted {}", row + 1, is_text_.size()));
-    if (is_text) continue;
-    const auto number = to_number<double>(word);
-    if (!number || !std::isfinite(*number))
-      fail(fmt::format("column '{}' is {}, wanted a finite number", frame.columns[column],
-                       shown(word)));
-    frame.values.push_back(*number);
-    ++column;
-  }
-  if (!take_word(rest).empty())
-    fail(fmt::format("atom line {} has too many words, wanted {}", row + 1, is_text_.size()));
 }
 
 void DumpReader::check_ids(const DumpFrame &frame) const
@@ -194,17 +222,18 @@ void DumpReader::check_ids(const DumpFrame &frame) const
   const std::size_t column = *frame.find_column("id");
   std::vector<std::pair<double, std::size_t>> ids(frame.rows);
   for (std::size_t row = 0; row < frame.rows; ++row) {
-    ids[row] = {frame.value(row, column), row};
-    if (ids[row].first != std::floor(ids[row].first) || std::abs(ids[row].first) > largest_id)
-      throw InputError(fmt::format("{}:{}: id is {}, wanted a whole number", path_,
-                                   frame.line_of(row), ids[row].first));
+    const double id = frame.value(row, column);
+    if (!(id >= 1.0 && id < too_large_id && id == std::floor(id)))
+      throw InputError(fmt::format("{}:{}: id is {}, wanted a whole number from 1 up, below 2^53",
+                                   lines_.path(), frame.line_of(row), id));
+    ids[row] = {id, row};
   }
   std::sort(ids.begin(), ids.end());
   const auto twice = std::adjacent_find(
       ids.begin(), ids.end(), [](const auto &a, const auto &b) { return a.first == b.first; });
   if (twice != ids.end())
-    throw InputError(fmt::format("{}:{}: id {} was already on line {}, wanted each id once", path_,
-                                 frame.line_of((twice + 1)->second), twice->first,
+    throw InputError(fmt::format("{}:{}: id {} was already on line {}, wanted each id once",
+                                 lines_.path(), frame.line_of((twice + 1)->second), twice->first,
                                  frame.line_of(twice->second)));
 }
 

@@ -32,7 +32,12 @@ Coordinate find_coordinate(const DumpFrame &frame, int direction)
   const std::string plain(1, "xyz"[direction]);
   for (const auto &name : {plain, plain + "u"})
     if (const auto column = frame.find_column(name)) return {*column, 0.0, 1.0};
-  if (const auto column = frame.find_column(plain + "s"); column && !frame.box_is_tilted) {
+  for (const auto &name : {plain + "s", plain + "su"}) {
+    const auto column = frame.find_column(name);
+    if (!column) continue;
+    if (frame.box_is_tilted)
+      throw InputError(fmt::format("{}:{}: column '{}' scaled by a tilted box, wanted '{}'",
+                                   frame.path, frame.header_line, name, plain));
     const auto [low, high] = frame.box[direction];
     return {*column, low, high - low};
   }

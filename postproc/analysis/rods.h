@@ -25,9 +25,9 @@ constexpr double quaternion_norm_tolerance = 1e-3;
 // Relative; six printed digits of two lengths that were equal.
 constexpr double length_rounding = 2e-5;
 
-// Rods in the order of the frame's rows. Reads id, x y z (or xu yu zu, or xs ys zs scaled by the
-// box), shapex (radius), shapez (half the total length) and quat1..4 (w, x, y, z; the axis is
-// body z turned by it, renormalised). shapez within rounding of shapex is a sphere. Throws
+// Rods in the order of the frame's rows. Reads id, x y z (or xu yu zu, or xs ys zs or xsu ysu zsu
+// scaled by the box), shapex (radius), shapez (half the total length) and quat1..4 (w, x, y, z; the
+// axis is body z turned by it, renormalised). shapez within rounding of shapex is a sphere. Throws
 // InputError with the line for a missing column or a row that is no rod.
 std::vector<Rod> rods_of(const DumpFrame &frame);
 

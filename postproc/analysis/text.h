@@ -2,6 +2,7 @@
 // Words and numbers of a line of text.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -39,12 +40,19 @@ std::optional<Number> to_number(std::string_view word)
   return number;
 }
 
+inline bool is_printable(char c) { return c >= ' ' && c <= '~'; }
+
+inline bool is_printable(std::string_view text)
+{
+  return std::all_of(text.begin(), text.end(), [](char c) { return is_printable(c); });
+}
+
 // Text from a file as it can be shown in a message: printable, not too long.
 inline std::string shown(std::string_view text)
 {
   constexpr std::size_t longest = 40;
   std::string out = "'";
-  for (const char c : text.substr(0, longest)) out += c >= ' ' && c <= '~' ? c : '?';
+  for (const char c : text.substr(0, longest)) out += is_printable(c) ? c : '?';
   return out + (text.size() > longest ? "...'" : "'");
 }
 

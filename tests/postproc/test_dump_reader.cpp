@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "analysis/dump_reader.h"
@@ -9,6 +10,7 @@
 #include "analysis/input_error.h"
 #include "analysis/rod_quantity.h"
 #include "analysis/rods.h"
+#include "read_dump_bytes.h"
 #include "scratch_folder.h"
 #include "test_bed.h"
 
@@ -21,6 +23,18 @@ const std::string columns =
     "ITEM: ATOMS id type x y z shapex shapey shapez quat1 quat2 quat3 quat4 \n";
 const std::string row1 = "1 1 0 0 0.5 0.01 0.01 0.1 1 0 0 0 \n";
 const std::string row2 = "2 3 0.1 0.2 0.3 0.01 0.01 0.1 0.707107 0 0.707107 0 \n";
+
+// Compressed by zlib in the format of gzip(1).
+std::string gzip(const std::string &text, const std::string &path)
+{
+  const gzFile file = gzopen(path.c_str(), "wb");
+  EXPECT_EQ(gzwrite(file, text.data(), static_cast<unsigned>(text.size())),
+            static_cast<int>(text.size()));
+  EXPECT_EQ(gzclose(file), Z_OK);
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return bytes.str();
+}
 
 class DumpReaderTest : public ScratchFolder {
  protected:
@@ -69,6 +83,23 @@ TEST_F(DumpReaderTest, ReadsRods)
   EXPECT_NEAR(found[1].capsule.segment.axis.x, 1.0, 1e-15);  // 90 degrees about y: z becomes x
 }
 
+// `dump local` has rows without an id, which need not differ.
+TEST_F(DumpReaderTest, ReadsEntries)
+{
+  const std::string text =
+      "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS pp ff ff\n-1 1\n-1 1\n0 1\n"
+      "ITEM: ENTRIES c_pairs[1] c_pairs[2] \n4 0.5 \n4 0.5 \n";
+  DumpReader reader(write("a.local", text), DumpKind::entries);
+  DumpFrame frame;
+  ASSERT_TRUE(reader.next(frame));
+  EXPECT_EQ(frame.rows, 2u);
+  EXPECT_EQ(frame.value(1, 1), 0.5);
+  EXPECT_FALSE(reader.next(frame));
+  expect_error(text, ":3: ", "wanted 'ITEM: NUMBER OF ATOMS'");
+  DumpReader cut(write("a.local", text.substr(0, text.size() - 7)), DumpKind::entries);
+  EXPECT_THROW(cut.next(frame), InputError);
+}
+
 TEST_F(DumpReaderTest, ColumnsInAnyOrderAndExtraOnes)
 {
   const DumpFrame frame = frame_of(header +
@@ -97,6 +128,69 @@ TEST_F(DumpReaderTest, CarriageReturnsTabsBlankEndsAndTime)
   EXPECT_EQ(error(text), "no error");
 }
 
+TEST_F(DumpReaderTest, GzipIsToldByItsBytesNotItsName)
+{
+  const std::string text = header + columns + row1 + row2;
+  const std::string packed = gzip(text, path("packed"));
+  ASSERT_EQ(packed.substr(0, 2), "\x1f\x8b");
+  EXPECT_EQ(rods(packed)[1].capsule.segment.centre.y, 0.2);
+  EXPECT_EQ(rods(packed + packed).size(), 2u);  // two gzip files in a row are one
+  EXPECT_EQ(DumpReader(write("plain.gz", text)).next(*std::make_unique<DumpFrame>()), true);
+  // Cut anywhere behind the two bytes that make it gzip, it gives an error.
+  for (std::size_t length = 2; length < packed.size(); ++length)
+    EXPECT_NE(error(packed.substr(0, length)), "no error") << length;
+  expect_error(packed.substr(0, packed.size() - 12), ":", "cannot be read any further: unexpected");
+  std::string spoilt = packed;
+  spoilt[packed.size() - 6] ^= 1;  // in the check sum
+  expect_error(spoilt, ":", "cannot be read any further: incorrect data check");
+}
+
+// More than a block of lines of different lengths, read by all cores: every number arrives at its
+// place, and an error far down has its own line.
+TEST_F(DumpReaderTest, ManyBlocks)
+{
+  constexpr int count = 200000;
+  std::string text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n200000\nITEM: BOX BOUNDS ff ff ff\n"
+                     "0 1\n0 1\n0 1\nITEM: ATOMS x id half element\n";
+  for (int i = 1; i <= count; ++i) text += fmt::format("{} {} {} Al\n", 0.5 * i, i, i / 2);
+  ASSERT_GT(text.size(), std::size_t{1} << 22);
+  const DumpFrame frame = frame_of(text);
+  ASSERT_EQ(frame.rows, 200000u);
+  ASSERT_EQ(frame.values.size(), 600000u);
+  for (int i = 1; i <= count; ++i) {
+    ASSERT_EQ(frame.value(i - 1, 0), 0.5 * i);
+    ASSERT_EQ(frame.value(i - 1, 1), i);
+    ASSERT_EQ(frame.value(i - 1, 2), i / 2);
+  }
+  const auto spoil = [&](const std::string &row, const std::string &bad) {
+    std::string spoilt = text;
+    return spoilt.replace(spoilt.find("\n" + row + "\n") + 1, row.size(), bad);
+  };
+  expect_error(spoil("95000 190000 95000 Al", "95000 190000 nan Al"),
+               ":190009: ", "atom line 190000: column 'half' is 'nan'");
+  expect_error(spoil("95000 190000 95000 Al", "95000 7 95000 Al"),
+               ":190009: ", "id 7 was already on line 16");
+  expect_error(spoil("95000 190000 95000 Al", "ITEM: TIMESTEP"),
+               ":190009: ", "step 0 has 189999 atom lines, wanted 200000");
+}
+
+TEST_F(DumpReaderTest, BoundaryFlags)
+{
+  const auto with = [&](const std::string &flags) {
+    std::string text = header + columns + row1 + row2;
+    return text.replace(text.find(" ff ff ff"), 9, flags);
+  };
+  using Flags = std::array<bool, 3>;
+  EXPECT_EQ(frame_of(with(" ff ff ff")).periodic, (Flags{false, false, false}));
+  EXPECT_EQ(frame_of(with(" pp fs pp")).periodic, (Flags{true, false, true}));
+  EXPECT_EQ(frame_of(with(" pp sm pp ")).periodic, (Flags{true, false, true}));
+  EXPECT_EQ(frame_of(with("")).periodic, (Flags{false, false, false}));
+  expect_error(with(" pf ff ff"), ":5: ", "the boundary flag of the box is 'pf'");
+  expect_error(with(" pp ff"), ":5: ", "the boundary flag of the box is ''");
+  expect_error(with(" pp ff xx"), ":5: ", "the boundary flag of the box is 'xx'");
+  expect_error(with(" pp ff ff ff"), ":5: ", "'ff' after three boundary flags");
+}
+
 TEST_F(DumpReaderTest, ScaledCoordinates)
 {
   const auto found = rods(header +
@@ -105,6 +199,29 @@ TEST_F(DumpReaderTest, ScaledCoordinates)
   EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.x, 0.0);  // box -1 to 1
   EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.y, -0.5);
   EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.z, 1.0);  // box 0 to 10
+}
+
+TEST_F(DumpReaderTest, UnwrappedCoordinates)
+{
+  const auto found = rods(header +
+                          "ITEM: ATOMS id xu ysu zu shapex shapez quat1 quat2 quat3 quat4\n"
+                          "1 1.5 -0.25 11 0.01 0.1 1 0 0 0\n2 0 0 0 0.01 0.1 1 0 0 0\n");
+  EXPECT_EQ(found[0].capsule.segment.centre.x, 1.5);
+  EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.y, -1.5);  // -1 - 0.25 times 2
+  EXPECT_EQ(found[0].capsule.segment.centre.z, 11.0);
+}
+
+TEST_F(DumpReaderTest, TiltedBox)
+{
+  const std::string head =
+      "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp ff\n"
+      "-1 1 0.2\n-1 1 0\n0 10 0\n";
+  const DumpFrame frame = frame_of(head + columns + row1);
+  EXPECT_TRUE(frame.box_is_tilted);
+  EXPECT_EQ(frame.periodic, (std::array<bool, 3>{true, true, false}));
+  expect_error(head + "ITEM: ATOMS id xs ys zs shapex shapez quat1 quat2 quat3 quat4\n"
+                      "1 0.5 0.25 0.1 0.01 0.1 1 0 0 0\n",
+               ":9: ", "column 'xs' scaled by a tilted box, wanted 'x'");
 }
 
 TEST_F(DumpReaderTest, SixDigitsAreEnough)
@@ -168,6 +285,7 @@ TEST_F(DumpReaderTest, NotADump)
                            "ELF\0\1\2\n\xff\xfe",
                            10),
                ":1: ", "");
+  expect_error(std::string(5000000, 'x') + "\n", ":1: ", "the line is longer than 4194304 bytes");
   EXPECT_THROW(DumpReader(path("missing.dump")), InputError);
   EXPECT_THROW(DumpReader(path(".")), InputError);
 }
@@ -218,6 +336,7 @@ TEST_F(DumpReaderTest, BadBox)
   expect_error(head + "0 one\n", ":6: ", "wanted two finite numbers");
   expect_error(head + "0 inf\n", ":6: ", "wanted two finite numbers");
   expect_error(head + "1 0\n", ":6: ", "the upper bound of the box is 0, wanted >= 1");
+  expect_error(head + "0 1 2\n", ":6: ", "the bounds of the box are '0 1 2', wanted 2 numbers");
   expect_error(head + "0 1\nITEM: ATOMS id\n", ":7: ", "wanted two finite numbers");
 }
 
@@ -243,6 +362,10 @@ TEST_F(DumpReaderTest, BadNumbers)
   expect_error(with("2 1 0 0 0x1f 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "column 'z' is '0x1f'");
   expect_error(with("1 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "id 1 was already on line 10");
   expect_error(with("2.5 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "id is 2.5");
+  expect_error(with("0 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "id is 0, wanted");
+  expect_error(with("-2 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "id is -2, wanted");
+  expect_error(with("9007199254740993 1 0 0 0 0.01 0.01 0.1 1 0 0 0\n"),  // 2^53 + 1
+               ":11: ", "wanted a whole number from 1 up, below 2^53");
   expect_error(with("2 0 0 0 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "type is 0");
   expect_error(with("2 1 0 0 0 0.01 0.01 0.1 0 0 0 0\n"),
                ":11: ", "rod 2: the norm of quat1..4 is 0, wanted 1");
@@ -253,6 +376,30 @@ TEST_F(DumpReaderTest, BadNumbers)
   expect_error(with("2 1 0 0 0 0.01 0.01 0.009 1 0 0 0\n"),
                ":11: ", "shapez is 0.009, wanted at least shapex, 0.01");
   expect_error(with("2 1 0 0 0 0.01 0.02 0.1 1 0 0 0\n"), ":11: ", "shapey is 0.02, wanted 0.01");
+}
+
+// %g prints numbers below 1e-308 too, as an angular velocity that fades away.
+TEST_F(DumpReaderTest, TinyNumbers)
+{
+  const auto found =
+      rods(header + columns + row1 + "2 1 1e-310 -4.94066e-324 0 1e-2 .01 0.1 1 0 0 0\n");
+  EXPECT_EQ(found[1].capsule.segment.centre.x, 1e-310);
+  EXPECT_LT(found[1].capsule.segment.centre.y, 0.0);
+}
+
+// Files that the fuzzer starts from, and those that once broke a promise: read_dump_bytes ends the
+// program if it is broken again.
+TEST_F(DumpReaderTest, FuzzCorpus)
+{
+  std::size_t files = 0, good = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(CORPUS_FOLDER)) {
+    if (entry.path().filename() == ".gitattributes") continue;
+    ++files;
+    good += read_dump_bytes(entry.path().string()).empty();
+  }
+  EXPECT_GE(files, 15u);
+  EXPECT_GE(good, 6u);  // plain, two_steps, crlf, gzip, tilted, scaled, no_atoms
+  EXPECT_GE(files - good, 7u);
 }
 
 TEST_F(DumpReaderTest, Quantities)

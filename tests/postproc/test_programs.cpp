@@ -19,6 +19,7 @@ namespace {
 
 const std::string programs = PROGRAM_FOLDER;
 const std::string docs = DOCS_FOLDER;
+const std::string tests = POSTPROC_TESTS_FOLDER;
 
 // The first row of a CSV file by column.
 std::map<std::string, double> csv_row(const std::string &text)
@@ -52,6 +53,10 @@ class Programs : public ScratchFolder {
     const auto rods = random_bed(options);
     bed_ = dump_text(rods, 1000);
     write("bed.dump", bed_);
+    for (const char *name : {"seed1.dump", "seed2.dump", "seed3.dump"}) {
+      options.seed += 2;
+      write(name, dump_text(random_bed(options), 1000));
+    }
     write("pour.dump", dump_text({}, 0) + dump_text({rods.begin(), rods.begin() + 10}, 500) + bed_);
   }
 
@@ -75,6 +80,17 @@ class Programs : public ScratchFolder {
     EXPECT_EQ(count_lines(error_), 1u) << error_;
     EXPECT_EQ(error_.find(command.substr(0, command.find(' ')) + ": "), 0u) << error_;
     EXPECT_NE(error_.find(words), std::string::npos) << error_;
+  }
+
+  // A heap at rest, poured by the deck in.heap: heap.dump, heap.pairs and heap.walls.
+  void pour_heap()
+  {
+    std::filesystem::create_directory(folder() / "mpi");
+    ASSERT_EQ(
+        run("env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_tmpdir_base=$PWD/mpi lmp -in '" +
+            tests + "/in.heap'"),
+        0)
+        << out_ << error_;
   }
 
   bool can_render() { return run("command -v xvfb-run") == 0 || std::getenv("DISPLAY"); }
@@ -121,7 +137,8 @@ class Programs : public ScratchFolder {
 
 TEST_F(Programs, HelpShowsAnExample)
 {
-  for (const std::string program : {"rod_packing", "rod_orientation", "rod_vtk", "rod_render"}) {
+  for (const std::string program :
+       {"rod_packing", "rod_orientation", "rod_contacts", "rod_vtk", "rod_render"}) {
     EXPECT_EQ(run(program + " --help"), 0);
     EXPECT_NE(out_.find("Example: " + program + " "), std::string::npos) << out_;
     EXPECT_EQ(error_, "");
@@ -132,6 +149,8 @@ TEST_F(Programs, ExamplesOfThePages)
 {
   expect_examples_run("rod_packing.md");
   expect_examples_run("rod_orientation.md");
+  pour_heap();
+  expect_examples_run("rod_contacts.md");
   expect_examples_run("rod_vtk.md");
 }
 
@@ -206,6 +225,126 @@ TEST_F(Programs, OrientationOfEvenDirections)
   EXPECT_EQ(means["chi2_degrees_of_freedom"], 9);
 }
 
+// Means over files: those of the rows of each file, and the standard error of the mean of three.
+TEST_F(Programs, MeansOfSeveralFiles)
+{
+  std::vector<double> elevations;
+  for (const std::string name : {"seed1", "seed2", "seed3"}) {
+    ASSERT_EQ(run("rod_orientation " + name + ".dump --vessel-radius 0.305 --summary-csv one.csv"),
+              0);
+    auto row = csv_row(read("one.csv"));
+    EXPECT_GT(row["mean_elevation_error_deg"], 1.0);
+    elevations.push_back(row["mean_elevation_deg"]);
+  }
+  ASSERT_EQ(run("rod_orientation seed1.dump seed2.dump seed3.dump --vessel-radius 0.305 "
+                "--summary-csv all.csv --csv bins.csv --wall-csv wall.csv --wall-bins-csv wb.csv"),
+            0)
+      << error_;
+  const double mean = (elevations[0] + elevations[1] + elevations[2]) / 3;
+  double squares = 0.0;
+  for (const double elevation : elevations) squares += std::pow(elevation - mean, 2);
+  auto row = csv_row(read("all.csv"));
+  EXPECT_EQ(row["rods"], 90);
+  EXPECT_EQ(row["step"], 1000);
+  EXPECT_NEAR(row["mean_elevation_deg"], mean, 1e-6);
+  EXPECT_NEAR(row["mean_elevation_error_deg"], std::sqrt(squares / 6), 1e-6);
+  EXPECT_GT(row["vf_inner_error"], 0.0);
+  EXPECT_NE(out_.find("means of the files"), std::string::npos);
+  EXPECT_EQ(count_lines(read("bins.csv")), 19u);
+  // Distances by quarters of a rod of 0.3 m, up to the vessel's radius.
+  auto wall = csv_row(read("wall.csv"));
+  EXPECT_NEAR(wall["distance_high_m"], 0.075, 1e-9);
+  expect_refusal("rod_orientation seed1.dump seed2.dump --frame all",
+                 "--frame: must be first, last or a step for 2 files (got 'all')");
+}
+
+// V_f as rod_packing has it, and the random contact equation with the measured <|sin gamma|>.
+TEST_F(Programs, OrientationGivesPackingsNumbers)
+{
+  ASSERT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv packing.csv"), 0);
+  ASSERT_EQ(run("rod_orientation bed.dump --vessel-radius 0.305 --summary-csv order.csv"), 0);
+  auto packing = csv_row(read("packing.csv")), order = csv_row(read("order.csv"));
+  EXPECT_NEAR(order["vf_whole"], packing["vf_whole"], 1e-9);
+  EXPECT_NEAR(order["vf_inner"], packing["vf_inner"], 2e-4 * packing["vf_inner"]);
+  // x = 29: V_f = 10.5 (x/4 + 1/6)/((2 s/pi) x^2 + 2 x + 4/3).
+  const double s = order["mean_sin_gamma"];
+  const double wanted =
+      10.5 * (29.0 / 4 + 1.0 / 6) / (2 * s / std::acos(-1.0) * 29 * 29 + 58 + 4.0 / 3);
+  EXPECT_NEAR(order["vf_random_contact"], wanted, 1e-6);
+  EXPECT_NEAR(order["half_contacts_of_vf_inner"], 5.25 * order["vf_inner"] / wanted, 1e-5);
+  EXPECT_NEAR(order["q_xx"] + order["q_yy"] + order["q_zz"], 0.0, 1e-8);
+}
+
+// Lying on a floor and crossed by another: numbers known by hand.
+TEST_F(Programs, ContactsOfThreeRods)
+{
+  write("three.dump", dump_text({{1, 1, {{{0, 0, 0.00999}, {1, 0, 0}, 0.09}, 0.01}},
+                                 {2, 1, {{{0.045, 0, 0.02997}, {0, 1, 0}, 0.09}, 0.01}},
+                                 {3, 1, {{{0, 0, 0.5}, {0, 1, 0}, 0.09}, 0.01}}},
+                                0));
+  ASSERT_EQ(run("rod_contacts three.dump --vessel-radius 0.2 --csv c.csv --tables t "
+                "--contacts-csv each.csv"),
+            0)
+      << error_;
+  auto row = csv_row(read("c.csv"));
+  EXPECT_EQ(row["rods"], 3);
+  EXPECT_EQ(row["pair_contacts"], 1);
+  EXPECT_EQ(row["wall_contacts"], 2);
+  EXPECT_EQ(row["doubtful_pairs"], 0);
+  EXPECT_NEAR(row["contacts_per_rod"], 2.0 / 3, 1e-9);
+  EXPECT_NEAR(row["contacts_per_rod_with_walls"], 4.0 / 3, 1e-9);
+  EXPECT_NEAR(row["rods_without_contact_fraction"], 1.0 / 3, 1e-9);
+  EXPECT_EQ(row["side_side_fraction"], 1);
+  EXPECT_NEAR(row["mean_side_position"], 0.25, 1e-6);  // 0.045 of 0.09 on one, 0 on the other
+  EXPECT_NEAR(row["overlap_mean_diameters"], 0.001, 1e-6);
+  EXPECT_NEAR(row["wall_overlap_mean_diameters"], 0.0005, 1e-6);
+  EXPECT_TRUE(std::isnan(row["pair_force_mean_N"]));
+  EXPECT_EQ(count_lines(read("t_numbers.csv")), 5u);  // 0 to 3 contacts: rod 1 has three with walls
+  EXPECT_EQ(count_lines(read("each.csv")), 4u);
+  EXPECT_NEAR(csv_row(read("each.csv"))["position_i_m"], 0.045, 1e-9);
+  // A gap wide enough reaches nobody else, one that is wider still counts the floor for rod 2.
+  ASSERT_EQ(run("rod_contacts three.dump --floor 0 --gap 1.5 --csv c.csv"), 0);
+  EXPECT_EQ(csv_row(read("c.csv"))["wall_contacts"], 4);
+}
+
+// A heap at rest: its contacts hold the weight of its rods, each force sits on a pair that touches,
+// and the forces that act on a rod keep it in place.
+TEST_F(Programs, ForcesOfAHeap)
+{
+  pour_heap();
+  ASSERT_EQ(run("rod_contacts heap.dump --vessel-radius 0.05 --local heap.pairs --local-keywords "
+                "'id force' --wall-local heap.walls --wall-local-keywords 'id force' --csv c.csv "
+                "--tables t"),
+            0)
+      << error_;
+  auto row = csv_row(read("c.csv"));
+  const double pi = std::acos(-1.0), r = 0.005, h = 0.04;
+  const double weight = 60 * 2700 * pi * r * r * (h + 4 * r / 3) * 9.81;
+  // What is left of the settling, and the six digits of the forces.
+  EXPECT_NEAR(row["wall_force_sum_z_N"], weight, 1e-5 * weight);
+  EXPECT_NEAR(row["wall_force_sum_x_N"], 0.0, 1e-5 * weight);
+  EXPECT_EQ(row["pair_forces"], row["pair_contacts"]);
+  EXPECT_EQ(row["wall_forces"], row["wall_contacts"]);
+  EXPECT_GT(row["pair_contacts"], 100);
+  EXPECT_EQ(out_.find("shows apart"), std::string::npos) << out_;
+  // Without damping or friction a force is stiffness times overlap: the means are near that.
+  EXPECT_NEAR(row["pair_force_mean_N"] / (2e4 * 0.01 * row["overlap_mean_diameters"]), 1.0, 0.1);
+  EXPECT_GT(row["pair_force_max_N"], row["pair_force_mean_N"]);
+  EXPECT_GT(row["strong_fraction"], 0.1);
+  EXPECT_LT(row["strong_fraction"], 0.5);
+  EXPECT_GT(row["largest_chain_rods"], 2);
+
+  expect_refusal("rod_contacts heap.dump --local heap.pairs",
+                 "heap.pairs:9: column c_ID[13] is missing");
+  expect_refusal("rod_contacts heap.dump --local heap.walls --local-keywords 'id force'",
+                 "column c_ID[1] is missing, wanted the rods' ids (by --local-keywords)");
+  expect_refusal("rod_contacts bed.dump --local heap.pairs --local-keywords 'id force'",
+                 "heap.pairs: holds no step 1000, which bed.dump has");
+  expect_refusal("rod_contacts heap.dump --local heap.dump", "wanted 'ITEM: NUMBER OF ENTRIES'");
+  expect_refusal("rod_contacts heap.dump heap.dump --local heap.pairs",
+                 "--local: wanted one for each of the 2 DUMP files (got 1)");
+}
+
 TEST_F(Programs, VtkFilesCarryAllColumns)
 {
   ASSERT_EQ(run("rod_vtk pour.dump --out p --geometry lines --timestep 0.5"), 0);
@@ -237,6 +376,22 @@ TEST_F(Programs, WrongOptions)
   expect_refusal("rod_packing bed.dump --vessel-radius 1 --inner-top -3", "above the bottom");
   expect_refusal("rod_orientation bed.dump --bins 0", "--bins");
   expect_refusal("rod_orientation bed.dump --spacing wide", "--spacing");
+  expect_refusal("rod_orientation bed.dump --near -1", "--near");
+  expect_refusal("rod_orientation bed.dump --wall-csv a.csv",
+                 "wanted with --vessel-radius or --floor");
+  expect_refusal("rod_orientation bed.dump --floor 0 --wall side", "--wall: 'side' is wanted with");
+  expect_refusal("rod_orientation bed.dump --vessel-radius 1 --wall-width 1e-9",
+                 "--wall-width: 1e-09 m make more than 10000 bins");
+  expect_refusal("rod_orientation bed.dump --centre 0 0", "--centre: wanted with --vessel-radius");
+  expect_refusal("rod_contacts", "DUMP is required");
+  expect_refusal("rod_contacts bed.dump --gap -1", "--gap");
+  expect_refusal("rod_contacts bed.dump --strong 0", "--strong");
+  expect_refusal("rod_contacts bed.dump --vessel-radius 0.1", "rod centres are outside the vessel");
+  expect_refusal("rod_contacts bed.dump --local none.pairs", "none.pairs: cannot be opened");
+  expect_refusal("rod_contacts bed.dump --local bed.dump --local-keywords 'force'",
+                 "'id' is not among");
+  expect_refusal("rod_contacts bed.dump bed.dump --contacts-csv a.csv",
+                 "--contacts-csv: wanted with one DUMP file only (got 2)");
   expect_refusal("rod_vtk bed.dump --geometry cubes", "--geometry");
   expect_refusal("rod_vtk bed.dump --vessel-radius 1", "must be given together");
   expect_refusal("rod_render bed.dump", "--out is required");
@@ -250,6 +405,9 @@ TEST_F(Programs, WrongOptions)
 TEST_F(Programs, FilesThatCannotBeWritten)
 {
   expect_refusal("rod_orientation bed.dump --csv no/where.csv", "no/where.csv: cannot be opened");
+  expect_refusal("rod_contacts bed.dump --csv no/where.csv", "no/where.csv: cannot be opened");
+  expect_refusal("rod_contacts bed.dump bed.dump --tables no/where",
+                 "no/where_numbers.csv: cannot be opened");
   expect_refusal("rod_vtk bed.dump --out no/where", "cannot be opened for writing");
   expect_refusal("rod_render bed.dump --out no/where.png", "no/where.png: cannot be opened");
 }
@@ -300,7 +458,7 @@ TEST_F(Programs, MalformedFiles)
       {with("shapez", "shape"), "a.dump:9: column 'shapez' is missing"},
       {with("quat3", "q3"), "a.dump:9: column 'quat3' is missing"},
       {with(row, row + row), "a.dump:11: id 1 was already on line 10"},
-      {with(row, "nan" + row.substr(1)), "a.dump:10: column 'id' is 'nan'"},
+      {with(row, "nan" + row.substr(1)), "a.dump:10: atom line 1: column 'id' is 'nan'"},
       {with(row, "1 1 0 0 inf 0 0 0 0 0 0 0.01 0.01 0.1 1 0 0 0 1\n"), "column 'z' is 'inf'"},
       {with(row, "1 1 0 0 0 0 0 0 0 0 0 0.01 0.01 0.1 0 0 0 0 1\n"),
        "a.dump:10: rod 1: the norm of quat1..4 is 0, wanted 1"},
@@ -312,6 +470,7 @@ TEST_F(Programs, MalformedFiles)
     write("a.dump", bad.text);
     expect_refusal("rod_packing a.dump --vessel-radius 1", bad.words);
     expect_refusal("rod_orientation a.dump", bad.words);
+    expect_refusal("rod_contacts a.dump", bad.words);
     expect_refusal("rod_render a.dump --out a.png", bad.words);
     if (bad.words != "holds no rods") expect_refusal("rod_vtk a.dump", bad.words);
   }

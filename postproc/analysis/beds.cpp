@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/beds.h"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "analysis/frame_choice.h"
+#include "analysis/input_error.h"
+
+namespace spherocylinder {
+
+void add_bed_options(CLI::App &app, BedFiles &options)
+{
+  app.add_option("DUMP", options.dumps,
+                 "LIGGGHTS 'dump custom' text file; of several (beds of other seeds) the means and "
+                 "their standard errors are given")
+      ->required();
+  app.add_option("--frame", options.frame, "frame to work on: first, last, all or a time step")
+      ->capture_default_str();
+}
+
+void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)> &work)
+{
+  const FrameChoice choice = parse_frame_choice(options.frame);
+  const bool all = choice.kind == FrameChoice::Kind::all;
+  if (all && options.several())
+    throw InputError(fmt::format("--frame: must be first, last or a step for {} files (got 'all')",
+                                 options.dumps.size()));
+  for (std::size_t file = 0; file < options.dumps.size(); ++file) {
+    bool any = false;
+    for_each_frame(options.dumps[file], choice, [&](const DumpFrame &frame) {
+      Bed bed{frame, rods_of(frame), file};
+      if (bed.rods.empty() && all) return;
+      if (bed.rods.empty())
+        throw InputError(
+            fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
+      any = true;
+      work(bed);
+    });
+    if (!any)
+      throw InputError(
+          fmt::format("{}: no step holds any rods, wanted at least one", options.dumps[file]));
+  }
+}
+
+std::optional<Vessel> VesselOptions::vessel() const
+{
+  if (centre && !radius)
+    throw InputError("--centre: wanted with --vessel-radius only");
+  if (!radius && !floor) return std::nullopt;
+  const std::vector<double> at = centre.value_or(std::vector<double>{0.0, 0.0});
+  return Vessel{at[0], at[1], radius.value_or(std::numeric_limits<double>::infinity()),
+                floor.value_or(0.0)};
+}
+
+void add_vessel_options(CLI::App &app, VesselOptions &options)
+{
+  app.add_option("--vessel-radius", options.radius, "radius of the vessel (m)")
+      ->check(positive_number());
+  app.add_option("--centre,--center", options.centre,
+                 "X Y of the vessel's axis (m), default 0 0")
+      ->expected(2)
+      ->check(finite_number());
+  app.add_option("--floor", options.floor,
+                 "height Z of the floor (m), default 0 with --vessel-radius, else there is none")
+      ->check(finite_number());
+}
+
+void need_rods_inside(const Bed &bed, const Vessel &vessel)
+{
+  if (const std::size_t outside = count_outside(bed.rods, vessel))
+    throw InputError(
+        fmt::format("{}: step {}: {} of {} rod centres are outside the vessel of radius {} about "
+                    "({}, {}) above floor {}, wanted none",
+                    bed.frame.path, bed.frame.step, outside, bed.rods.size(), vessel.radius,
+                    vessel.x, vessel.y, vessel.floor));
+}
+
+}  // namespace spherocylinder

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which rods of a bed are near each other.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "analysis/dump_frame.h"
+#include "analysis/rods.h"
+
+namespace spherocylinder {
+
+struct Periodicity {
+  std::array<double, 3> side{};  // m, of the box; 0 where it is not periodic
+};
+
+// Throws InputError for a tilted box that is periodic.
+Periodicity periodicity_of(const DumpFrame &frame);
+
+struct ClosePair {
+  std::uint32_t i, j;  // indices into the rods, i < j
+  double s, t;  // where on the axes they touch, signed distance from the centres of i and j (m)
+  double gap;          // distance of the surfaces, negative if they overlap (m)
+  Vec3 normal;         // unit, from j to i; zero if the axes cross
+  double sin_gamma;    // of the angle between the axes
+};
+
+// s and t are the closest points, of nearly parallel rods those of spread_contact (core), which
+// puts the contact of rods side by side into the middle of their common length; it is asked with
+// rods thicker by half of `largest_gap`.
+//
+// All pairs with a gap below `largest_gap` (m), each once, in an order that depends on the rods
+// only. A rod and several images of another are as many pairs.
+//
+// Each axis is cut into pieces a few diameters long and the pieces sorted into cells. Two rods
+// nearer than the reach have two pieces, those that hold the closest points, whose middles are
+// nearer than a piece and the reach together, and so lie in neighbouring cells. A pair of rods that
+// shows up in several pairs of pieces is kept where the pieces hold its closest points. Work and
+// memory grow with the total length of the rods, and not with the square of the aspect ratio.
+//
+// Throws InputError if a periodic side is shorter than a rod and the gap are in that direction: the
+// rod would meet its own image.
+std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodicity &box,
+                                   double largest_gap);
+
+}  // namespace spherocylinder

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/contact_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spherocylinder {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+std::vector<WallContact> wall_contacts(const std::vector<Rod> &rods, const Vessel &vessel,
+                                       double largest_gap)
+{
+  std::vector<WallContact> contacts;
+  for (std::uint32_t k = 0; k < rods.size(); ++k) {
+    const Segment &segment = rods[k].capsule.segment;
+    const double radius = rods[k].capsule.radius;
+    for (const bool at_plus : {false, true}) {
+      if (rods[k].is_sphere() && !at_plus) continue;
+      const Vec3 end = segment.at(at_plus ? segment.half_length : -segment.half_length);
+      const double above = end.z - radius - vessel.floor;
+      const double inside =
+          vessel.radius - radius - std::hypot(end.x - vessel.x, end.y - vessel.y);
+      if (above < largest_gap) contacts.push_back({k, true, at_plus, above});
+      if (inside < largest_gap) contacts.push_back({k, false, at_plus, inside});
+    }
+  }
+  return contacts;
+}
+
+std::vector<std::uint32_t> pair_contact_numbers(std::size_t rods,
+                                                const std::vector<ClosePair> &pairs)
+{
+  std::vector<std::uint32_t> numbers(rods, 0);
+  for (const ClosePair &pair : pairs) {
+    ++numbers[pair.i];
+    ++numbers[pair.j];
+  }
+  return numbers;
+}
+
+void add_wall_contacts(std::vector<std::uint32_t> &numbers, const std::vector<WallContact> &walls)
+{
+  for (const WallContact &contact : walls) ++numbers[contact.rod];
+}
+
+// closest_points clamps to the half length itself, so that no tolerance is needed.
+bool at_end(double position, double half_length) { return std::abs(position) >= half_length; }
+
+ContactKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs)
+{
+  if (pairs.empty()) return {none, none, none};
+  std::array<std::size_t, 3> counts{};  // by the number of ends
+  for (const ClosePair &pair : pairs)
+    ++counts[at_end(pair.s, rods[pair.i].capsule.segment.half_length) +
+             at_end(pair.t, rods[pair.j].capsule.segment.half_length)];
+  const double all = static_cast<double>(pairs.size());
+  return {static_cast<double>(counts[0]) / all, static_cast<double>(counts[1]) / all,
+          static_cast<double>(counts[2]) / all};
+}
+
+ContactKinds uncorrelated_contact_kinds(double x, double mean_sin_gamma)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const double sides = 2.0 * mean_sin_gamma * x * x, mixed = 4.0 * pi * x, ends = 4.0 * pi;
+  const double all = sides + mixed + ends;
+  return {sides / all, mixed / all, ends / all};
+}
+
+std::vector<double> side_positions(const std::vector<Rod> &rods,
+                                   const std::vector<ClosePair> &pairs)
+{
+  std::vector<double> positions;
+  const auto add = [&](double position, const Rod &rod) {
+    const double half_length = rod.capsule.segment.half_length;
+    if (!at_end(position, half_length)) positions.push_back(std::abs(position) / half_length);
+  };
+  for (const ClosePair &pair : pairs) {
+    add(pair.s, rods[pair.i]);
+    add(pair.t, rods[pair.j]);
+  }
+  return positions;
+}
+
+std::vector<double> pair_overlaps(const std::vector<Rod> &rods,
+                                  const std::vector<ClosePair> &pairs)
+{
+  std::vector<double> overlaps;
+  for (const ClosePair &pair : pairs)
+    if (pair.gap < 0.0)
+      overlaps.push_back(-pair.gap /
+                         (rods[pair.i].capsule.radius + rods[pair.j].capsule.radius));
+  return overlaps;
+}
+
+std::vector<double> wall_overlaps(const std::vector<Rod> &rods,
+                                  const std::vector<WallContact> &walls)
+{
+  std::vector<double> overlaps;
+  for (const WallContact &contact : walls)
+    if (contact.gap < 0.0)
+      overlaps.push_back(-contact.gap / (2.0 * rods[contact.rod].capsule.radius));
+  return overlaps;
+}
+
+Spread spread_of(const std::vector<double> &values)
+{
+  if (values.empty()) return {{none, none}, none, none};
+  const MeanWithError squares = mean_of(values, [](double value) { return value * value; });
+  return {mean_of(values), std::sqrt(squares.mean),
+          *std::max_element(values.begin(), values.end())};
+}
+
+std::vector<HistogramBin> histogram(const std::vector<double> &values, double high,
+                                    std::size_t bins)
+{
+  std::vector<HistogramBin> found(bins);
+  const double width = high / static_cast<double>(bins);
+  for (std::size_t k = 0; k < bins; ++k)
+    found[k] = {width * static_cast<double>(k), width * static_cast<double>(k + 1), 0, none, none};
+  for (const double value : values)
+    if (value < high) ++found[std::min(bins - 1, static_cast<std::size_t>(value / width))].count;
+  const double n = static_cast<double>(values.size());
+  if (values.empty()) return found;
+  for (HistogramBin &bin : found) {
+    const double p = (static_cast<double>(bin.count) + 1.0) / (n + 2.0);
+    bin.fraction = static_cast<double>(bin.count) / n;
+    bin.fraction_error = std::sqrt(p * (1.0 - p) / n);
+  }
+  return found;
+}
+
+}  // namespace spherocylinder

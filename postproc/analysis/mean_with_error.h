@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Mean of a sample and the standard error of that mean.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace spherocylinder {
+
+struct MeanWithError {
+  double mean;   // NaN for an empty sample
+  double error;  // sample deviation / sqrt(n), values taken as independent; 0 for a single value
+};
+
+// Of quantity(item) over a range of items.
+template <class Items, class Quantity>
+MeanWithError mean_of(const Items &items, Quantity quantity)
+{
+  const double n = static_cast<double>(items.size());
+  if (n == 0.0) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none};
+  }
+  double mean = 0.0;
+  for (const auto &item : items) mean += quantity(item) / n;
+  double squares = 0.0;
+  for (const auto &item : items) squares += (quantity(item) - mean) * (quantity(item) - mean);
+  return {mean, n > 1.0 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
+}
+
+template <class Numbers>
+MeanWithError mean_of(const Numbers &values)
+{
+  return mean_of(values, [](double value) { return value; });
+}
+
+}  // namespace spherocylinder
