@@ -97,12 +97,15 @@ void run(Options &options)
   std::optional<ResultTable> radius, wall;
   for_each_bed(options.files, [&](const Bed &bed) {
     const BedPacking result = measure_packing(bed, packing);
+    PackingProfiles profiles;
+    if (!options.profiles.empty()) {
+      const double width = options.bin.value_or(2.0 * bed.rods[0].capsule.radius);
+      profiles = measure_profiles(bed, packing, width);
+    }
     if (several) fmt::print("{}: ", bed.frame.path);
     print_table(result);
     table.add({packing_row(result)});
     if (options.profiles.empty()) return;
-    const double width = options.bin.value_or(2.0 * bed.rods[0].capsule.radius);
-    const PackingProfiles profiles = measure_profiles(bed, packing, width);
     height.add(profile_rows(bed, profiles.height));
     if (!packing.vessel) return;
     if (!radius) radius.emplace(profile_table("_radius.csv"));

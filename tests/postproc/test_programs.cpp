@@ -235,10 +235,10 @@ TEST_F(Programs, PackingOfSeveralSeeds)
   options.vessel_radius = 0.305;
   options.seed = 49979687;
   write("other.dump", dump_text(random_bed(options), 1000));
-  ASSERT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv a.csv"), 0);
-  ASSERT_EQ(run("rod_packing other.dump --vessel-radius 0.305 --csv b.csv"), 0);
-  ASSERT_EQ(run("rod_packing bed.dump other.dump --vessel-radius 0.305 --csv both.csv "
-                "--profiles both --bin 0.05"),
+  ASSERT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --bulk-margin 0.05 --csv a.csv"), 0);
+  ASSERT_EQ(run("rod_packing other.dump --vessel-radius 0.305 --bulk-margin 0.05 --csv b.csv"), 0);
+  ASSERT_EQ(run("rod_packing bed.dump other.dump --vessel-radius 0.305 --bulk-margin 0.05 "
+                "--csv both.csv --profiles both --bin 0.05"),
             0);
   auto a = csv_row(read("a.csv")), b = csv_row(read("b.csv")), both = csv_row(read("both.csv"));
   for (const std::string name : {"vf_whole", "vf_inner", "vf_bulk", "z_top_m"}) {
@@ -276,8 +276,8 @@ TEST_F(Programs, PackingOfAPeriodicBox)
   std::vector<Rod> rods;
   for (int i = 0; i < 5; ++i)
     rods.push_back({i + 1, 1, {{{0.95, 0.1 * i, 0.25 + 0.2 * i}, {1, 0, 0}, 0.09}, 0.01}});
-  // Half of this one's image lies in the next box; it crosses the first rod's image there.
-  rods.push_back({6, 1, {{{-0.95, 0.05, 0.25}, {0, 1, 0}, 0.09}, 0.01}});
+  // Crosses the image of the first rod, which reaches into the next box.
+  rods.push_back({6, 1, {{{-0.99, 0.05, 0.25}, {0, 1, 0}, 0.09}, 0.01}});
   std::string text = dump_text(rods, 0);
   text.replace(text.find("ff ff ff"), 8, "pp pp ff");
   write("box.dump", text);
