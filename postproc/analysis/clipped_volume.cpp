@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <limits>
 
+#include "analysis/plane_volume.h"
 #include "analysis/rods.h"
 #include "analysis/section_area.h"
 
@@ -18,9 +19,6 @@ constexpr double sliver = 1e-3;
 
 // Areas below this part of the rod's round section are round-off of disjoint sections.
 constexpr double no_area = 1e-13;
-
-// Stops a tolerance below round-off; 1e5 samples reach 1e-9.
-constexpr std::size_t most_samples = 100000;
 
 double clamp_to(double value, double low, double high)
 {
@@ -36,12 +34,6 @@ Vec3 closest_point(const UprightCylinder &cylinder, const Vec3 &p)
   const double shrink = from_axis > cylinder.radius ? cylinder.radius / from_axis : 1.0;
   return {cylinder.x + shrink * dx, cylinder.y + shrink * dy,
           clamp_to(p.z, cylinder.z_low, cylinder.z_high)};
-}
-
-bool contains_ball(const UprightCylinder &cylinder, const Vec3 &centre, double radius)
-{
-  return std::hypot(centre.x - cylinder.x, centre.y - cylinder.y) + radius <= cylinder.radius &&
-         centre.z - radius >= cylinder.z_low && centre.z + radius <= cylinder.z_high;
 }
 
 // Position along the segment that is nearest to the cylinder. The distance to a convex body is
@@ -133,65 +125,6 @@ class Sections {
   double axis_x_, axis_t_, z_low_, z_high_;
 };
 
-struct Sample {
-  double x;
-  double root;  // sqrt(A)
-};
-
-struct Bounds {
-  double low, high;
-};
-
-// Integral of the square of a straight line between its end values.
-double integral_of_square(double width, double left, double right)
-{
-  return width * (left * left + left * right + right * right) / 3.0;
-}
-
-// Value at x of the line through two samples.
-double prolonged(const Sample &a, const Sample &b, double x)
-{
-  return a.root + (b.root - a.root) * (x - a.x) / (b.x - a.x);
-}
-
-// Bounds on the integral of A between samples i and i + 1. Samples of zero area may lie beyond
-// the common body, where sqrt(A) is not concave: no chord ends in one.
-Bounds integral_bounds(const std::vector<Sample> &samples, std::size_t i, double largest_area)
-{
-  const Sample &a = samples[i];
-  const Sample &b = samples[i + 1];
-  const double width = b.x - a.x;
-  if (a.root == 0.0 && b.root == 0.0) return {0.0, 0.0};  // see clipped_volume: not inside the body
-
-  Bounds bounds{0.0, width * largest_area};
-  if (a.root > 0.0 && b.root > 0.0) bounds.low = integral_of_square(width, a.root, b.root);
-
-  const bool from_left = i > 0 && samples[i - 1].root > 0.0 && a.root > 0.0;
-  const bool from_right = i + 2 < samples.size() && samples[i + 2].root > 0.0 && b.root > 0.0;
-  const double left_at_b = from_left ? prolonged(samples[i - 1], a, b.x) : 0.0;
-  const double right_at_a = from_right ? prolonged(samples[i + 2], b, a.x) : 0.0;
-  double high = bounds.high;
-  if (from_left && from_right) {
-    // Two lines, one through either end of the interval: the lower of the two is the bound.
-    const double gap_a = std::max(right_at_a - a.root, 0.0);
-    const double gap_b = std::max(left_at_b - b.root, 0.0);
-    if (gap_a + gap_b > 0.0) {
-      const double crossing = gap_a / (gap_a + gap_b);
-      const double top = a.root + crossing * (left_at_b - a.root);
-      high = integral_of_square(crossing * width, a.root, top) +
-             integral_of_square((1.0 - crossing) * width, top, b.root);
-    } else {
-      high = bounds.low;
-    }
-  } else if (from_left) {
-    high = integral_of_square(width, a.root, std::max(left_at_b, 0.0));
-  } else if (from_right) {
-    high = integral_of_square(width, std::max(right_at_a, 0.0), b.root);
-  }
-  bounds.high = std::max(std::min(bounds.high, high), bounds.low);
-  return bounds;
-}
-
 // An x whose section certainly has an area: of a point inside both bodies.
 double inner_offset(const Capsule &capsule, const UprightCylinder &cylinder, const Vec3 &on_axis,
                     const Vec3 &nearest, double distance, const Vec3 &normal)
@@ -210,57 +143,54 @@ double volume(const UprightCylinder &cylinder)
   return pi * cylinder.radius * cylinder.radius * (cylinder.z_high - cylinder.z_low);
 }
 
+// Both round ends do, and the cylinder is convex.
+bool holds(const UprightCylinder &c, const Capsule &rod)
+{
+  for (const double s : {-rod.segment.half_length, rod.segment.half_length}) {
+    const Vec3 end = rod.segment.at(s);
+    const double room = c.radius - rod.radius, dx = end.x - c.x, dy = end.y - c.y;
+    if (room < 0.0 || dx * dx + dy * dy > room * room || end.z - rod.radius < c.z_low ||
+        end.z + rod.radius > c.z_high)
+      return false;
+  }
+  return true;
+}
+
+// By the rod's own upright bounding cylinder.
+bool misses(const UprightCylinder &c, const Capsule &rod)
+{
+  const Segment &s = rod.segment;
+  const double up = s.half_length * std::abs(s.axis.z) + rod.radius;
+  const double side = s.half_length * std::hypot(s.axis.x, s.axis.y) + rod.radius + c.radius;
+  const double dx = s.centre.x - c.x, dy = s.centre.y - c.y;
+  return s.centre.z + up <= c.z_low || s.centre.z - up >= c.z_high ||
+         dx * dx + dy * dy >= side * side;
+}
+
 BoundedVolume clipped_volume(const Capsule &capsule, const UprightCylinder &cylinder,
                              double tolerance)
 {
-  const Segment &segment = capsule.segment;
+  if (misses(cylinder, capsule)) return {0.0, 0.0};
   const double whole = volume(capsule);
-  if (contains_ball(cylinder, segment.at(segment.half_length), capsule.radius) &&
-      contains_ball(cylinder, segment.at(-segment.half_length), capsule.radius))
-    return {whole, 0.0};
+  if (holds(cylinder, capsule)) return {whole, 0.0};
+  constexpr double out_of_reach = std::numeric_limits<double>::max();
+  if (holds({cylinder.x, cylinder.y, cylinder.radius, -out_of_reach, out_of_reach}, capsule))
+    return {volume_below(capsule, cylinder.z_high) - volume_below(capsule, cylinder.z_low), 0.0};
 
+  const Segment &segment = capsule.segment;
   const Vec3 on_axis = segment.at(position_nearest(cylinder, segment));
   const Vec3 nearest = closest_point(cylinder, on_axis);
   const double distance = norm(on_axis - nearest);
   if (distance >= capsule.radius) return {0.0, 0.0};
 
-  // Starts with a section that has an area, so that the body lies between the zero samples on
-  // either side of it.
   const Sections sections(capsule, cylinder);
   const double inner =
       inner_offset(capsule, cylinder, on_axis, nearest, distance, sections.normal());
   if (!(sections.lowest() < inner && inner < sections.highest())) return {0.0, 0.0};  // round-off
-  const auto sample = [&](double x) { return Sample{x, std::sqrt(sections.common_area(x))}; };
-  std::vector<Sample> samples{sample(sections.lowest()), sample(inner), sample(sections.highest())};
-  std::vector<Sample> finer;
-  std::vector<Bounds> bounds;
-  while (true) {
-    Bounds total{0.0, 0.0};
-    bounds.clear();
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-      bounds.push_back(
-          integral_bounds(samples, i, sections.largest_area(samples[i].x, samples[i + 1].x)));
-      total.low += bounds.back().low;
-      total.high += bounds.back().high;
-    }
-    const double gap = total.high - total.low;
-    const double wanted = 2.0 * tolerance * std::max(total.low, sliver * whole);
-    if (gap <= wanted || samples.size() >= most_samples)
-      return {0.5 * (total.low + total.high), 0.5 * gap};
-
-    const double share = wanted / static_cast<double>(bounds.size());
-    finer.clear();
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-      finer.push_back(samples[i]);
-      const double middle = 0.5 * (samples[i].x + samples[i + 1].x);
-      if (bounds[i].high - bounds[i].low > share && samples[i].x < middle &&
-          middle < samples[i + 1].x)
-        finer.push_back(sample(middle));
-    }
-    finer.push_back(samples.back());
-    if (finer.size() == samples.size()) return {0.5 * (total.low + total.high), 0.5 * gap};
-    samples.swap(finer);
-  }
+  return convex_volume({[&](double x) { return sections.common_area(x); },
+                        [&](double a, double b) { return sections.largest_area(a, b); },
+                        sections.lowest(), inner, sections.highest()},
+                       tolerance, sliver * whole);
 }
 
 }  // namespace spherocylinder

@@ -2,6 +2,7 @@
 // How much of a rod lies inside an upright cylinder, with a bound on the error.
 #pragma once
 
+#include "analysis/convex_integral.h"
 #include "core/capsule.h"
 
 namespace spherocylinder {
@@ -15,21 +16,20 @@ struct UprightCylinder {
 
 double volume(const UprightCylinder &cylinder);
 
-struct BoundedVolume {
-  double value;  // m^3
-  double error;  // the true volume is within value -+ error (round-off apart), m^3
-};
+// Whether the rod lies wholly inside.
+bool holds(const UprightCylinder &cylinder, const Capsule &rod);
+
+// Whether the rod is certainly outside; not all rods outside are found.
+bool misses(const UprightCylinder &cylinder, const Capsule &rod);
 
 // Volume that the rod and the cylinder have in common.
 //
 // Cut both by the vertical planes parallel to the rod's axis, x being the offset of the plane
-// from it. The rod's section is a stadium, the cylinder's an upright rectangle, and the area A(x)
-// they share has a closed form. The common body is convex, so by the Brunn-Minkowski theorem
-// sqrt(A) is a concave function of x: between two samples it lies above their chord and below the
-// neighbouring chords prolonged. The two give a lower and an upper bound on the integral of A;
-// intervals are halved until the bounds are closer than
+// from it. The rod's section is a stadium, the cylinder's an upright rectangle, and the area they
+// share has a closed form. The common body is convex: convex_volume integrates the areas to within
 //   2 tolerance max(volume found, 1e-3 of the rod).
-// Rods wholly inside or outside are exact and cost nothing.
+// Rods wholly inside or outside cost nothing and are exact, as are those that only the top and the
+// bottom cut.
 BoundedVolume clipped_volume(const Capsule &capsule, const UprightCylinder &cylinder,
                              double tolerance);
 

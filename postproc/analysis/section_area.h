@@ -36,4 +36,7 @@ double intersection_area(const Polygon &polygon, const Point2 &centre, double ra
 
 double intersection_area(const Stadium &stadium, const Rectangle &rectangle);
 
+// `b_centre`: where the middle of b's segment lies; that of a is the origin.
+double intersection_area(const Stadium &a, const Stadium &b, const Point2 &b_centre);
+
 }  // namespace spherocylinder

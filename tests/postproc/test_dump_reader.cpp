@@ -166,8 +166,11 @@ TEST_F(DumpReaderTest, ManyBlocks)
     std::string spoilt = text;
     return spoilt.replace(spoilt.find("\n" + row + "\n") + 1, row.size(), bad);
   };
-  expect_error(spoil("95000 190000 95000 Al", "95000 190000 nan Al"),
-               ":190009: ", "atom line 190000: column 'half' is 'nan'");
+  for (int i = 20000; i < count; i += 20000) {
+    const std::string row = fmt::format("{} {} {} Al", i / 2, i, i / 2);
+    expect_error(spoil(row, fmt::format("{} {} nan Al", i / 2, i)), fmt::format(":{}: ", i + 9),
+                 fmt::format("atom line {}: column 'half' is 'nan'", i));
+  }
   expect_error(spoil("95000 190000 95000 Al", "95000 7 95000 Al"),
                ":190009: ", "id 7 was already on line 16");
   expect_error(spoil("95000 190000 95000 Al", "ITEM: TIMESTEP"),

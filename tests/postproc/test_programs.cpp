@@ -37,6 +37,15 @@ std::map<std::string, double> csv_row(const std::string &text)
   return values;
 }
 
+std::vector<std::map<std::string, double>> csv_rows(const std::string &text)
+{
+  const std::size_t header = text.find('\n') + 1;
+  std::vector<std::map<std::string, double>> rows;
+  for (std::size_t at = header; at < text.size(); at = text.find('\n', at) + 1)
+    rows.push_back(csv_row(text.substr(0, header) + text.substr(at)));
+  return rows;
+}
+
 std::size_t count_lines(const std::string &text)
 {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -196,6 +205,102 @@ TEST_F(Programs, PackingOfAllFramesLeavesOutTheEmptyOne)
   ASSERT_EQ(run("rod_packing pour.dump --vessel-radius 0.305 --frame all --csv all.csv"), 0);
   EXPECT_EQ(count_lines(read("all.csv")), 3u);  // header, steps 500 and 1000
   EXPECT_EQ(csv_row(read("all.csv"))["step"], 500);
+}
+
+// Two crossing rods whose axes cross: Steinmetz's body, 16 r^3/3, is counted twice in vf and once
+// in vf_net; it lies in the inner cylinder.
+TEST_F(Programs, PackingSaysTheOverlap)
+{
+  write("two.dump", dump_text({{1, 1, {{{0, 0, 0.1}, {1, 0, 0}, 0.09}, 0.01}},
+                               {2, 1, {{{0, 0, 0.1}, {0, 1, 0}, 0.09}, 0.01}},
+                               {3, 1, {{{0, 0, 0.2}, {0, 1, 0}, 0.09}, 0.01}}},
+                              0));
+  ASSERT_EQ(run("rod_packing two.dump --vessel-radius 0.2 --csv two.csv"), 0);
+  auto row = csv_row(read("two.csv"));
+  const double overlap = 16.0 / 3.0 * 1e-6;
+  EXPECT_EQ(row["overlap_pairs"], 1);
+  EXPECT_NEAR(row["overlap_volume_m3"], overlap, row["overlap_volume_error_m3"]);
+  EXPECT_LE(row["overlap_volume_error_m3"], 0.011 * overlap);
+  EXPECT_NEAR((row["vf_whole"] - row["vf_whole_net"]) * row["whole_volume_m3"],
+              row["overlap_volume_m3"], 1e-14);
+  EXPECT_NEAR((row["vf_inner"] - row["vf_inner_net"]) * row["inner_volume_m3"],
+              row["overlap_volume_m3"], 1e-14);
+  EXPECT_NE(out_.find("of 1 pairs"), std::string::npos) << out_;
+}
+
+// Mean and standard error of two beds, by hand: (a + b)/2, |a - b|/2.
+TEST_F(Programs, PackingOfSeveralSeeds)
+{
+  BedOptions options;
+  options.rods = 40;
+  options.length = 0.3;
+  options.vessel_radius = 0.305;
+  options.seed = 49979687;
+  write("other.dump", dump_text(random_bed(options), 1000));
+  ASSERT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --bulk-margin 0.05 --csv a.csv"), 0);
+  ASSERT_EQ(run("rod_packing other.dump --vessel-radius 0.305 --bulk-margin 0.05 --csv b.csv"), 0);
+  ASSERT_EQ(run("rod_packing bed.dump other.dump --vessel-radius 0.305 --bulk-margin 0.05 "
+                "--csv both.csv --profiles both --bin 0.05"),
+            0);
+  auto a = csv_row(read("a.csv")), b = csv_row(read("b.csv")), both = csv_row(read("both.csv"));
+  for (const std::string name : {"vf_whole", "vf_inner", "vf_bulk", "z_top_m"}) {
+    EXPECT_NEAR(both[name], 0.5 * (a[name] + b[name]), 1e-9) << name;
+    EXPECT_NEAR(both[name + "_standard_error"], 0.5 * std::abs(a[name] - b[name]), 1e-9) << name;
+    EXPECT_TRUE(std::isnan(a[name + "_standard_error"])) << name;
+  }
+  EXPECT_GT(csv_row(read("both_wall.csv"))["vf_standard_error"], 0.0);
+  EXPECT_NE(out_.find("mean and standard error over 2 files"), std::string::npos) << out_;
+}
+
+// The profiles' solid adds up to that of the summary.
+TEST_F(Programs, PackingProfilesAddUp)
+{
+  ASSERT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv a.csv --profiles p --bin 0.02"),
+            0);
+  auto row = csv_row(read("a.csv"));
+  const auto solid = [&](const std::string &name) {
+    double sum = 0.0;
+    for (const auto &bin : csv_rows(read(name))) sum += bin.at("solid_m3");
+    return sum;
+  };
+  const double all = row["rods_volume_m3"];
+  EXPECT_NEAR(solid("p_height.csv"), all, 1e-8 * all);
+  const double clipped = row["vf_whole_clipped"] * row["whole_volume_m3"];
+  const double error = row["vf_whole_clipped_error"] * row["whole_volume_m3"] + 1e-4 * clipped;
+  EXPECT_NEAR(solid("p_radius.csv"), clipped, error);
+  EXPECT_NEAR(solid("p_wall.csv"), clipped, error);
+}
+
+// Periodic boxes of rods placed one after the other: their volume over the box's.
+TEST_F(Programs, PackingOfAPeriodicBox)
+{
+  const double volume = std::acos(-1.0) * (1e-4 * 0.18 + 4.0 / 3.0 * 1e-6);
+  std::vector<Rod> rods;
+  for (int i = 0; i < 5; ++i)
+    rods.push_back({i + 1, 1, {{{0.95, 0.1 * i, 0.25 + 0.2 * i}, {1, 0, 0}, 0.09}, 0.01}});
+  // Crosses the image of the first rod, which reaches into the next box.
+  rods.push_back({6, 1, {{{-0.99, 0.05, 0.25}, {0, 1, 0}, 0.09}, 0.01}});
+  std::string text = dump_text(rods, 0);
+  text.replace(text.find("ff ff ff"), 8, "pp pp ff");
+  write("box.dump", text);
+  ASSERT_EQ(run("rod_packing box.dump --csv box.csv --profiles box --bin 0.1"), 0);
+  auto row = csv_row(read("box.csv"));
+  EXPECT_NEAR(row["vf_whole"], 6 * volume / (4.0 * 1.05), 1e-9);  // box 2 m x 2 m, top at 1.05
+  EXPECT_EQ(row["overlap_pairs"], 1);
+  EXPECT_NEAR(row["overlap_volume_m3"], 16.0 / 3.0 * 1e-6, 1e-7);
+  EXPECT_TRUE(std::isnan(row["inner_radius_m"]));
+  EXPECT_NEAR(row["inner_bottom_m"], 1.05 / 4, 1e-9);
+  double sum = 0.0;
+  for (const auto &bin : csv_rows(read("box_height.csv"))) sum += bin.at("solid_m3");
+  EXPECT_NEAR(sum, 6 * volume, 1e-8 * volume);
+  EXPECT_FALSE(std::filesystem::exists(folder() / "box_wall.csv"));
+
+  text.replace(text.find("pp pp ff"), 8, "pp pp pp");  // box from -1 to 11 in z
+  write("box.dump", text);
+  ASSERT_EQ(run("rod_packing box.dump --csv box.csv --profiles box --bin 1"), 0);
+  row = csv_row(read("box.csv"));
+  EXPECT_NEAR(row["vf_whole"], 6 * volume / (4.0 * 12.0), 1e-9);
+  EXPECT_TRUE(std::isnan(row["vf_inner"]));
 }
 
 TEST_F(Programs, SeveralLengthsAreSaid)
@@ -362,7 +467,13 @@ TEST_F(Programs, VtkFilesCarryAllColumns)
 TEST_F(Programs, WrongOptions)
 {
   expect_refusal("rod_packing", "DUMP is required");
-  expect_refusal("rod_packing bed.dump", "--vessel-radius is required");
+  expect_refusal("rod_packing bed.dump", "not periodic in x and y, wanted --vessel-radius");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --bin 1", "wanted with --profiles only");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --profiles p --bin 1e-9",
+                 "--bin: 1e-09 m makes more than 100000 bins");
+  expect_refusal("rod_packing bed.dump --vessel-radius 1 --bulk-margin -1", "a number > 0");
+  expect_refusal("rod_packing bed.dump bed.dump --vessel-radius 1 --frame all",
+                 "must be first, last or a step for 2 files");
   expect_refusal("rod_packing bed.dump --vessel-radius 0", "must be a number > 0 (got '0')");
   expect_refusal("rod_packing bed.dump --vessel-radius nan", "must be a number > 0");
   expect_refusal("rod_packing bed.dump --vessel-radius 1 --tolerance 1", "from 1e-09 to 0.1");

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/bed_packing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "analysis/close_pairs.h"
+#include "analysis/input_error.h"
+#include "analysis/orientation_statistics.h"
+#include "analysis/overlap_volume.h"
+#include "analysis/packing_theory.h"
+#include "analysis/parallel.h"
+
+namespace spherocylinder {
+namespace {
+
+constexpr double degrees = 57.295779513082321;  // in a radian
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t pairs_a_piece = 1024;
+
+AspectRatios aspect_ratios(const std::vector<Rod> &rods)
+{
+  AspectRatios ratios{0.0, rods[0].capsule.aspect_ratio(), rods[0].capsule.aspect_ratio()};
+  for (const Rod &rod : rods) {
+    const double ratio = rod.capsule.aspect_ratio();
+    ratios.mean += ratio / static_cast<double>(rods.size());
+    ratios.smallest = std::min(ratios.smallest, ratio);
+    ratios.largest = std::max(ratios.largest, ratio);
+  }
+  return ratios;
+}
+
+// Where two rods overlap, and how much.
+struct Overlap {
+  Vec3 place;  // half-way between the closest points
+  BoundedVolume volume;
+};
+
+// A pair's volume is asked for to this part: overlaps are some percent of the solid, so that the
+// solid's error is a hundred times smaller.
+constexpr double overlap_tolerance = 1e-2;
+
+std::vector<Overlap> overlaps_of(const Bed &bed)
+{
+  const auto pairs = close_pairs(bed.rods, periodicity_of(bed.frame), 0.0);
+  std::vector<Overlap> overlaps(pairs.size());
+  for_each_piece(pairs.size(), pairs_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const ClosePair &pair = pairs[k];
+      const Capsule &i = bed.rods[pair.i].capsule;
+      Capsule j = bed.rods[pair.j].capsule;
+      const Vec3 p = i.segment.at(pair.s);
+      const Vec3 q = p - (pair.gap + i.radius + j.radius) * pair.normal;
+      j.segment.centre = q - pair.t * j.segment.axis;  // of the image that is near
+      overlaps[k] = {0.5 * (p + q), overlap_volume(i, j, overlap_tolerance)};
+    }
+  });
+  return overlaps;
+}
+
+// A vessel with a wall, or a box periodic in x and y, from the floor up to the highest centre.
+class Container {
+ public:
+  Container(const Bed &bed, const PackingOptions &options, const BedHeight &height)
+      : bed_(bed), tolerance_(options.tolerance)
+  {
+    if (options.vessel) {
+      need_rods_inside(bed, *options.vessel);
+      whole_ = vessel_up_to(*options.vessel, height.highest_centre);
+    } else {
+      need_periodic_sides();
+      const bool upright = bed.frame.periodic[2];
+      const auto &box = bed.frame.box;
+      sides_area_ = (box[0][1] - box[0][0]) * (box[1][1] - box[1][0]);
+      whole_.radius = std::sqrt(sides_area_ / pi);  // as a vessel of that cross-section
+      whole_.z_low = upright ? box[2][0] : options.floor;
+      whole_.z_high = upright ? box[2][1] : height.highest_centre;
+    }
+    if (!(whole_.z_high > whole_.z_low))
+      throw InputError(
+          fmt::format("{}: step {}: the highest rod centre is at {}, wanted above the floor, {}",
+                      bed.frame.path, bed.frame.step, whole_.z_high, whole_.z_low));
+  }
+
+  bool has_wall() const { return sides_area_ == 0.0; }
+  bool is_closed() const { return !has_wall() && bed_.frame.periodic[2]; }  // periodic in z too
+  const UprightCylinder &whole() const { return whole_; }
+
+  RegionPacking pack(const UprightCylinder &region) const
+  {
+    if (!(region.z_high > region.z_low && region.radius > 0.0))
+      return {none, none, none, none, none, none, none};
+    const double space = volume(region);
+    if (has_wall()) {
+      const SolidFraction found = solid_fraction(bed_.rods, region, tolerance_);
+      return {region.radius, region.z_low, region.z_high, space, found.fraction, found.error, none};
+    }
+    const auto below = volumes_below(bed_.rods, {region.z_low, region.z_high});
+    return {none, region.z_low, region.z_high, space, (below[1] - below[0]) / space, 0.0, none};
+  }
+
+  // The overlaps in the region taken off once.
+  void take_off(const std::vector<Overlap> &overlaps, RegionPacking &region) const
+  {
+    double volume = 0.0;
+    for (const Overlap &overlap : overlaps) {
+      const Vec3 &at = overlap.place;
+      const bool inside =
+          at.z >= region.bottom && at.z <= region.top &&
+          (!has_wall() || std::hypot(at.x - whole_.x, at.y - whole_.y) <= region.radius);
+      if (inside) volume += overlap.volume.value;
+    }
+    region.net_fraction = region.fraction - volume / region.volume;
+  }
+
+ private:
+  static constexpr double pi = 3.14159265358979323846;
+
+  void need_periodic_sides() const
+  {
+    const DumpFrame &frame = bed_.frame;
+    if (!frame.periodic[0] || !frame.periodic[1])
+      throw InputError(fmt::format(
+          "{}: step {}: the box is not periodic in x and y, wanted --vessel-radius", frame.path,
+          frame.step));
+    periodicity_of(frame);  // refuses a tilted or flat box
+  }
+
+  const Bed &bed_;
+  double tolerance_;
+  UprightCylinder whole_{};
+  double sides_area_ = 0.0;  // m^2, 0 for a vessel with a wall
+};
+
+UprightCylinder inner_region(const Container &container, const InnerOverride &chosen)
+{
+  const UprightCylinder &whole = container.whole();
+  UprightCylinder inner = inner_half(whole);
+  if (!container.has_wall()) {
+    if (chosen.radius)
+      throw InputError("--inner-radius: wanted with --vessel-radius only");
+    const double quarter = 0.25 * (whole.z_high - whole.z_low);
+    inner = {whole.x, whole.y, whole.radius, whole.z_low + quarter, whole.z_high - quarter};
+  }
+  inner.radius = chosen.radius.value_or(inner.radius);
+  inner.z_low = chosen.bottom.value_or(inner.z_low);
+  inner.z_high = chosen.top.value_or(inner.z_high);
+  if (inner.radius > whole.radius)
+    throw InputError(fmt::format("--inner-radius: must be at most the vessel radius {} (got {})",
+                                 whole.radius, inner.radius));
+  if (!(inner.z_low < inner.z_high))
+    throw InputError(
+        fmt::format("--inner-bottom, --inner-top: the top must be above the bottom "
+                    "(got bottom {:.6g}, top {:.6g})",
+                    inner.z_low, inner.z_high));
+  return inner;
+}
+
+UprightCylinder bulk_region(const Container &container, double margin)
+{
+  UprightCylinder bulk = container.whole();
+  if (container.has_wall()) bulk.radius -= margin;
+  bulk.z_low += margin;
+  bulk.z_high -= margin;
+  return bulk;
+}
+
+double mean_half_length(const std::vector<Rod> &rods)
+{
+  double sum = 0.0;
+  for (const Rod &rod : rods) sum += 0.5 * rod.capsule.length();
+  return sum / static_cast<double>(rods.size());
+}
+
+struct Field {
+  std::string name;
+  OverFiles over_files;
+  double value;
+};
+
+std::vector<Field> fields(const BedPacking &p)
+{
+  const auto number = [](std::size_t n) { return static_cast<double>(n); };
+  std::vector<Field> all;
+  const auto add = [&](const std::string &name, double value, OverFiles rule) {
+    all.push_back({name, rule, value});
+  };
+  const auto add_mean = [&](const std::string &name, double value) {
+    add(name, value, OverFiles::mean);
+  };
+  const auto add_measured = [&](const std::string &name, double value) {
+    add_mean(name, value);
+    add(name + "_standard_error", none, OverFiles::error);
+  };
+  const double lambda = p.lambda.mean;
+  add("step", static_cast<double>(p.step), OverFiles::same);
+  add_mean("rods", number(p.rods));
+  add_mean("spheres", number(p.spheres));
+  add_mean("lambda_mean", lambda);
+  add_mean("lambda_min", p.lambda.smallest);
+  add_mean("lambda_max", p.lambda.largest);
+  add_measured("mean_elevation_deg", p.mean_elevation_deg);
+  add_measured("mean_sin_gamma", p.mean_sin_gamma);
+  add_measured("z_top_m", p.height.highest_centre);
+  add_mean("highest_point_m", p.height.highest_point);
+  add_mean("rods_volume_m3", p.rods_volume);
+  add_mean("whole_volume_m3", p.whole.volume);
+  add_measured("vf_whole", p.whole.fraction);
+  add_measured("vf_whole_net", p.whole.net_fraction);
+  add_measured("vf_whole_clipped", p.clipped.fraction);
+  add_mean("vf_whole_clipped_error", p.clipped.error);
+  add_mean("inner_radius_m", p.inner.radius);
+  add_mean("inner_bottom_m", p.inner.bottom);
+  add_mean("inner_top_m", p.inner.top);
+  add_mean("inner_volume_m3", p.inner.volume);
+  add_measured("vf_inner", p.inner.fraction);
+  add_measured("vf_inner_net", p.inner.net_fraction);
+  add_mean("vf_inner_error", p.inner.error);
+  add_mean("bulk_margin_m", p.bulk_margin);
+  add_mean("bulk_volume_m3", p.bulk.volume);
+  add_measured("vf_bulk", p.bulk.fraction);
+  add_measured("vf_bulk_net", p.bulk.net_fraction);
+  add_mean("vf_bulk_error", p.bulk.error);
+  add_mean("overlap_pairs", number(p.overlaps));
+  add_mean("overlap_volume_m3", p.overlap_volume);
+  add_mean("overlap_volume_error_m3", p.overlap_error);
+  add_mean("vf_parkhouse_kelly", parkhouse_kelly_fraction(lambda));
+  add_mean("vf_random_contact_isotropic", random_contact_fraction(lambda, isotropic_sin_gamma));
+  add_mean("vf_random_contact_horizontal", random_contact_fraction(lambda, horizontal_sin_gamma));
+  add_mean("vf_random_contact_measured", random_contact_fraction(lambda, p.mean_sin_gamma));
+  return all;
+}
+
+// Rods of a box periodic in z, and the images of those that reach over its top or bottom.
+std::vector<Rod> with_images(const Bed &bed)
+{
+  std::vector<Rod> rods = bed.rods;
+  const auto [low, high] = bed.frame.box[2];
+  const double side = high - low;
+  for (Rod rod : bed.rods) {
+    Segment &segment = rod.capsule.segment;
+    const double up = segment.half_length * std::abs(segment.axis.z) + rod.capsule.radius;
+    const double z = segment.centre.z;
+    const int first = static_cast<int>(std::ceil((low - up - z) / side));
+    const int last = static_cast<int>(std::floor((high + up - z) / side));
+    for (int image = first; image <= last; ++image) {
+      segment.centre.z = z + image * side;
+      if (image != 0) rods.push_back(rod);
+    }
+  }
+  return rods;
+}
+
+}  // namespace
+
+BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
+{
+  const std::vector<Rod> &rods = bed.rods;
+  BedPacking p{};
+  p.step = bed.frame.step;
+  p.height = bed_height(rods);
+  const Container container(bed, options, p.height);
+
+  const std::vector<Vec3> axes = axes_of(rods);
+  p.rods = rods.size();
+  p.spheres = rods.size() - axes.size();
+  p.lambda = aspect_ratios(rods);
+  p.mean_elevation_deg = axes.empty() ? none : mean_elevation(axes).mean * degrees;
+  p.mean_sin_gamma = axes.size() < 2 ? none : mean_sin_gamma(axes);
+
+  const UprightCylinder &whole = container.whole();
+  const double space = volume(whole);
+  p.rods_volume = total_volume(rods);
+  const std::vector<Overlap> overlaps = overlaps_of(bed);
+  p.overlaps = overlaps.size();
+  for (const Overlap &overlap : overlaps) {
+    p.overlap_volume += overlap.volume.value;
+    p.overlap_error += overlap.volume.error;
+  }
+  p.whole = {container.has_wall() ? whole.radius : none, whole.z_low, whole.z_high, space,
+             p.rods_volume / space, 0.0, (p.rods_volume - p.overlap_volume) / space};
+  p.bulk_margin = options.bulk_margin.value_or(mean_half_length(rods));
+  const RegionPacking nowhere{none, none, none, none, none, none, none};
+  if (container.is_closed()) {  // no wall, floor or surface to keep clear of
+    p.clipped = p.inner = p.bulk = nowhere;
+    return p;
+  }
+  p.clipped = container.pack(whole);
+  p.inner = container.pack(inner_region(container, options.inner));
+  p.bulk = container.pack(bulk_region(container, p.bulk_margin));
+  for (RegionPacking *region : {&p.clipped, &p.inner, &p.bulk})
+    container.take_off(overlaps, *region);
+  return p;
+}
+
+std::vector<Column> packing_columns()
+{
+  std::vector<Column> columns;
+  for (const Field &field : fields(BedPacking{})) columns.push_back({field.name, field.over_files});
+  return columns;
+}
+
+std::vector<double> packing_row(const BedPacking &packing)
+{
+  std::vector<double> row;
+  for (const Field &field : fields(packing)) row.push_back(field.value);
+  return row;
+}
+
+PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, double width)
+{
+  const BedHeight height = bed_height(bed.rods);
+  const Container container(bed, options, height);
+  const UprightCylinder &whole = container.whole();
+  const double section = volume(whole) / (whole.z_high - whole.z_low);
+  PackingProfiles profiles;
+  if (container.is_closed()) {
+    profiles.height = height_profile(with_images(bed), section, whole.z_low,
+                                     bin_edges(0.0, whole.z_high - whole.z_low, width));
+    return profiles;
+  }
+  const double top = width * std::ceil((height.highest_point - whole.z_low) / width);
+  profiles.height = height_profile(bed.rods, section, whole.z_low, bin_edges(0.0, top, width));
+  if (!container.has_wall()) return profiles;
+  profiles.radius = radius_profile(bed.rods, whole, bin_edges(0.0, whole.radius, width),
+                                   options.tolerance);
+  const double furthest = std::min(whole.radius, whole.z_high - whole.z_low);
+  profiles.wall =
+      wall_profile(bed.rods, whole, bin_edges(0.0, furthest, width), options.tolerance);
+  return profiles;
+}
+
+std::vector<Column> profile_columns()
+{
+  return {{"step", OverFiles::same},
+          {"low_m", OverFiles::same},
+          {"high_m", OverFiles::same},
+          {"region_m3", OverFiles::mean},
+          {"solid_m3", OverFiles::mean},
+          {"vf", OverFiles::mean},
+          {"vf_standard_error", OverFiles::error},
+          {"vf_error", OverFiles::mean}};
+}
+
+Rows profile_rows(const Bed &bed, const std::vector<ProfileBin> &bins)
+{
+  Rows rows;
+  for (const ProfileBin &bin : bins)
+    rows.push_back({static_cast<double>(bed.frame.step), bin.low, bin.high, bin.region, bin.solid,
+                    bin.fraction(), none, bin.error / bin.region});
+  return rows;
+}
+
+}  // namespace spherocylinder

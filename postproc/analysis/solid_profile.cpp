@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/solid_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "analysis/input_error.h"
+#include "analysis/parallel.h"
+#include "analysis/plane_volume.h"
+
+namespace spherocylinder {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double golden_angle = 2.39996322972865332;
+constexpr std::size_t rods_a_piece = 2048;
+constexpr double most_bins = 100000.0;
+
+// Sum over rods of a list of numbers, piece by piece, so that it does not depend on the threads.
+template <class Add>
+std::vector<double> sum_over_rods(std::size_t rods, std::size_t numbers, Add add)
+{
+  const std::size_t pieces = (rods + rods_a_piece - 1) / rods_a_piece;
+  std::vector<std::vector<double>> parts(pieces);
+  for_each_piece(rods, rods_a_piece, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> &sums = parts[begin / rods_a_piece];
+    sums.assign(numbers, 0.0);
+    for (std::size_t i = begin; i < end; ++i) add(i, sums);
+  });
+  std::vector<double> sums(numbers, 0.0);
+  for (const auto &part : parts)
+    for (std::size_t k = 0; k < numbers; ++k) sums[k] += part[k];
+  return sums;
+}
+
+// Nodes in (0, 1) and weights, for an integral of f(v) dv; by Newton's method on the Legendre
+// polynomial.
+struct GaussLegendre {
+  explicit GaussLegendre(int n)
+  {
+    for (int i = 0; i < n; ++i) {
+      double x = std::cos(pi * (i + 0.75) / (n + 0.5));
+      double slope = 1.0;
+      for (int step = 0; step < 20; ++step) {
+        double before = 1.0, value = x;
+        for (int k = 2; k <= n; ++k) {
+          const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+          before = value;
+          value = next;
+        }
+        slope = n * (x * value - before) / (x * x - 1.0);
+        x -= value / slope;
+      }
+      nodes.push_back(0.5 * (1.0 + x));
+      weights.push_back(1.0 / ((1.0 - x * x) * slope * slope));
+    }
+  }
+  std::vector<double> nodes, weights;
+};
+
+// Chords parallel to the axis of a rod of radius 1, at `across` and `aside` from it. With
+// rho^2 = 1 - v^2 a chord is 2 (h + v) long and the round section is rho d(rho) = v dv.
+struct Chord {
+  double across, aside;
+  double v;
+  double weight;  // area of the round section that it stands for
+};
+
+std::vector<Chord> chord_rule(int level)
+{
+  const double growth = std::pow(1.6, level);
+  const GaussLegendre rule(static_cast<int>(std::round(2.0 * growth)));
+  const int around = static_cast<int>(std::round(3.0 * growth));
+  std::vector<Chord> chords;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double v = rule.nodes[i];
+    const double rho = std::sqrt(1.0 - v * v);
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2.0 * pi * k / around;
+      chords.push_back({rho * std::cos(angle), rho * std::sin(angle), v,
+                        rule.weights[i] * v * 2.0 * pi / around});
+    }
+  }
+  return chords;
+}
+
+// What is left of one rod's chords in concentric cylinders.
+class ChordedRod {
+ public:
+  ChordedRod(const Capsule &rod, double turn) : rod_(rod), u_(rod.segment.axis)
+  {
+    const Vec3 side = std::abs(u_.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{1.0, 0.0, 0.0};
+    const Vec3 e = cross(u_, side);
+    const Vec3 e1 = (1.0 / norm(e)) * e, e2 = cross(u_, e1);
+    across_ = std::cos(turn) * e1 + std::sin(turn) * e2;
+    aside_ = cross(u_, across_);
+  }
+
+  // Adds the volume within cylinders[first .. last) to sums.
+  void add(const std::vector<Chord> &rule, const std::vector<UprightCylinder> &cylinders,
+           std::size_t first, std::size_t last, double *sums) const
+  {
+    if (first == last) return;
+    const double r = rod_.radius;
+    const double a = u_.x * u_.x + u_.y * u_.y;
+    constexpr double level = 1e200;  // a level rod's chord is far from any plane it is not in
+    const double over_a = 1.0 / a, over_z = u_.z == 0.0 ? level : 1.0 / u_.z;
+    const Vec3 to_axis{cylinders[first].x, cylinders[first].y, 0.0};
+    for (const Chord &chord : rule) {
+      const Vec3 p = rod_.segment.centre - to_axis + (r * chord.across) * across_ +
+                     (r * chord.aside) * aside_;
+      const double reach = rod_.segment.half_length + r * chord.v;
+      const double area = r * r * chord.weight;
+      const double b = u_.x * p.x + u_.y * p.y;
+      const double off_axis = b * b - a * (p.x * p.x + p.y * p.y);
+      for (std::size_t k = first; k < last; ++k) {
+        // Of p + s u the wall cuts out -b/a -+ root/a, floor and top another interval of s.
+        const UprightCylinder &c = cylinders[k];
+        const double rest = off_axis + a * c.radius * c.radius;
+        if (rest <= 0.0) continue;
+        const double root = std::sqrt(rest);
+        const double to_floor = (c.z_low - p.z) * over_z, to_top = (c.z_high - p.z) * over_z;
+        const double low = std::max({-reach, (-b - root) * over_a, std::min(to_floor, to_top)});
+        const double high = std::min({reach, (-b + root) * over_a, std::max(to_floor, to_top)});
+        if (!(low < high)) continue;
+        sums[k] += area * (high - low);
+        if (low == -reach && high == reach) {  // so the larger cylinders hold it too
+          while (++k < last) sums[k] += area * (high - low);
+          break;
+        }
+      }
+    }
+  }
+
+ private:
+  const Capsule &rod_;
+  Vec3 u_, across_, aside_;
+};
+
+// Chords show little of a rod that stands upright, whose chords are all cut at once or not at all,
+// nor of a cylinder that is no wider than the rod.
+bool needs_sections(const UprightCylinder &c, const Capsule &rod)
+{
+  constexpr double upright_extent = 0.25;
+  const Vec3 &u = rod.segment.axis;
+  return c.radius < 2.0 * rod.radius ||
+         rod.segment.half_length * std::hypot(u.x, u.y) < upright_extent * rod.radius;
+}
+
+// Solid within each of these cylinders by the finer of two rules. The error: each rod is turned by
+// another angle, which makes the rods' errors independent, so that their squares add up; the
+// differences from the coarser rule stand for them.
+std::vector<BoundedVolume> sums_by_rules(const std::vector<Rod> &rods,
+                                         const std::vector<UprightCylinder> &cylinders, int level,
+                                         double tolerance)
+{
+  const std::vector<Chord> coarse = chord_rule(level - 1), fine = chord_rule(level);
+  const std::size_t count = cylinders.size();
+  const auto sums = sum_over_rods(rods.size(), 4 * count, [&](std::size_t i, auto &part) {
+    double *const solid = part.data(), *const difference = solid + count;
+    double *const squares = difference + count, *const bounds = squares + count;
+    const Capsule &rod = rods[i].capsule;
+    // The cylinders are nested: those that miss the rod come first, those that hold it last.
+    const auto begin = cylinders.begin(), end = cylinders.end();
+    const auto meets =
+        std::partition_point(begin, end, [&](const auto &c) { return misses(c, rod); });
+    const auto inside =
+        std::partition_point(meets, end, [&](const auto &c) { return !holds(c, rod); });
+    const auto by_chords =
+        std::partition_point(meets, inside, [&](const auto &c) { return needs_sections(c, rod); });
+    for (auto c = meets; c != by_chords; ++c) {
+      const BoundedVolume found = clipped_volume(rod, *c, tolerance);
+      solid[c - begin] += found.value;
+      bounds[c - begin] += found.error;
+    }
+    const std::size_t first = by_chords - begin, last = inside - begin;
+    static thread_local std::vector<double> by_coarse, by_fine;
+    by_coarse.assign(count, 0.0);
+    by_fine.assign(count, 0.0);
+    const ChordedRod chorded(rod, golden_angle * static_cast<double>(i));
+    chorded.add(coarse, cylinders, first, last, by_coarse.data());
+    chorded.add(fine, cylinders, first, last, by_fine.data());
+    for (std::size_t k = first; k < last; ++k) {
+      const double d = by_fine[k] - by_coarse[k];
+      solid[k] += by_fine[k];
+      difference[k] += d;
+      squares[k] += d * d;
+    }
+    const double whole = volume(rod);
+    for (std::size_t k = last; k < count; ++k) solid[k] += whole;
+  });
+  std::vector<BoundedVolume> found(count);
+  for (std::size_t k = 0; k < count; ++k)
+    found[k] = {sums[k], std::max(std::abs(sums[count + k]), 2.0 * std::sqrt(sums[2 * count + k])) +
+                             sums[3 * count + k]};
+  return found;
+}
+
+}  // namespace
+
+std::vector<double> volumes_below(const std::vector<Rod> &rods, const std::vector<double> &heights)
+{
+  // Rods wholly below a height are counted where they first are, and added up afterwards.
+  const std::size_t count = heights.size();
+  const auto sums = sum_over_rods(rods.size(), 2 * count, [&](std::size_t i, auto &part) {
+    const Capsule &rod = rods[i].capsule;
+    const double up = rod.segment.half_length * std::abs(rod.segment.axis.z) + rod.radius;
+    const double z = rod.segment.centre.z;
+    const auto first = std::upper_bound(heights.begin(), heights.end(), z - up);
+    std::size_t k = first - heights.begin();
+    for (; k < count && heights[k] < z + up; ++k) part[k] += volume_below(rod, heights[k]);
+    if (k < count) part[count + k] += volume(rod);
+  });
+  std::vector<double> volumes(count);
+  double whole = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    whole += sums[count + k];
+    volumes[k] = whole + sums[k];
+  }
+  return volumes;
+}
+
+std::vector<BoundedVolume> volumes_within(const std::vector<Rod> &rods,
+                                          const std::vector<UprightCylinder> &cylinders,
+                                          double tolerance)
+{
+  constexpr int last_level = 8;
+  std::vector<BoundedVolume> found(cylinders.size());
+  std::vector<std::size_t> open(cylinders.size());
+  for (std::size_t k = 0; k < open.size(); ++k) open[k] = k;
+  for (int level = 1; level <= last_level && !open.empty(); ++level) {
+    std::vector<UprightCylinder> asked;
+    for (const std::size_t k : open) asked.push_back(cylinders[k]);
+    const auto sums = sums_by_rules(rods, asked, level, 0.1 * tolerance);
+    for (std::size_t i = 0; i < open.size(); ++i) found[open[i]] = sums[i];
+    const auto close_enough = [&](std::size_t k) {
+      const double inner = k == 0 ? 0.0 : found[k - 1].value;
+      double least = found[k].value - inner;
+      if (k + 1 < found.size()) least = std::min(least, found[k + 1].value - found[k].value);
+      return found[k].error <= 0.5 * tolerance * std::max(least, 0.0);
+    };
+    open.erase(std::remove_if(open.begin(), open.end(), close_enough), open.end());
+  }
+  return found;
+}
+
+std::vector<double> bin_edges(double low, double high, double width)
+{
+  constexpr double crumb = 1e-6;
+  if (!((high - low) / width < most_bins))
+    throw InputError(fmt::format("--bin: {:.6g} m makes more than {:.0f} bins between {:.6g} and "
+                                 "{:.6g} m, wanted wider ones",
+                                 width, most_bins, low, high));
+  std::vector<double> edges;
+  for (std::size_t k = 0; low + k * width < high - crumb * width; ++k)
+    edges.push_back(low + static_cast<double>(k) * width);
+  edges.push_back(high);
+  return edges;
+}
+
+std::vector<ProfileBin> height_profile(const std::vector<Rod> &rods, double section, double floor,
+                                       const std::vector<double> &edges)
+{
+  std::vector<double> heights = edges;
+  for (double &height : heights) height += floor;
+  const std::vector<double> below = volumes_below(rods, heights);
+  std::vector<ProfileBin> bins;
+  for (std::size_t k = 1; k < edges.size(); ++k)
+    bins.push_back({edges[k - 1], edges[k], section * (edges[k] - edges[k - 1]),
+                    below[k] - below[k - 1], 0.0});
+  return bins;
+}
+
+std::vector<ProfileBin> radius_profile(const std::vector<Rod> &rods, const UprightCylinder &vessel,
+                                       const std::vector<double> &edges, double tolerance)
+{
+  std::vector<UprightCylinder> cylinders;
+  for (std::size_t k = 1; k < edges.size(); ++k)
+    cylinders.push_back({vessel.x, vessel.y, edges[k], vessel.z_low, vessel.z_high});
+  const auto within = volumes_within(rods, cylinders, tolerance);
+  std::vector<ProfileBin> bins;
+  BoundedVolume inner{0.0, 0.0};
+  double inner_region = 0.0;
+  for (std::size_t k = 0; k < cylinders.size(); ++k) {
+    const double region = volume(cylinders[k]);
+    bins.push_back({edges[k], edges[k + 1], region - inner_region, within[k].value - inner.value,
+                    within[k].error + inner.error});
+    inner = within[k];
+    inner_region = region;
+  }
+  return bins;
+}
+
+std::vector<ProfileBin> wall_profile(const std::vector<Rod> &rods, const UprightCylinder &vessel,
+                                     const std::vector<double> &edges, double tolerance)
+{
+  // From the innermost out, as volumes_within wants them.
+  std::vector<UprightCylinder> cylinders;
+  for (std::size_t k = edges.size() - 1; k-- > 0;)
+    cylinders.push_back({vessel.x, vessel.y, vessel.radius - edges[k], vessel.z_low + edges[k],
+                         vessel.z_high});
+  const auto within = volumes_within(rods, cylinders, tolerance);
+  std::vector<ProfileBin> bins;
+  BoundedVolume inner{0.0, 0.0};
+  double inner_region = 0.0;
+  for (std::size_t i = 0; i < cylinders.size(); ++i) {
+    const std::size_t k = edges.size() - 2 - i;
+    const double region = volume(cylinders[i]);
+    bins.push_back({edges[k], edges[k + 1], region - inner_region, within[i].value - inner.value,
+                    within[i].error + inner.error});
+    inner = within[i];
+    inner_region = region;
+  }
+  std::reverse(bins.begin(), bins.end());
+  return bins;
+}
+
+}  // namespace spherocylinder

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "analysis/input_error.h"
+#include "analysis/packing_measures.h"
+#include "analysis/parallel.h"
+#include "analysis/solid_profile.h"
+#include "test_bed.h"
+
+namespace spherocylinder {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+std::vector<Rod> bed()
+{
+  BedOptions options;
+  options.rods = 60;
+  return random_bed(options);
+}
+
+double sum_of(const std::vector<ProfileBin> &bins)
+{
+  double sum = 0.0;
+  for (const ProfileBin &bin : bins) sum += bin.solid;
+  return sum;
+}
+
+double region_of(const std::vector<ProfileBin> &bins)
+{
+  double sum = 0.0;
+  for (const ProfileBin &bin : bins) sum += bin.region;
+  return sum;
+}
+
+TEST(SolidProfile, BinEdges)
+{
+  EXPECT_EQ(bin_edges(0.0, 1.0, 0.25), (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
+  EXPECT_EQ(bin_edges(0.0, 1.1, 0.5), (std::vector<double>{0.0, 0.5, 1.0, 1.1}));
+  EXPECT_EQ(bin_edges(0.0, 1.0 + 1e-9, 0.5).size(), 3u);
+  EXPECT_EQ(bin_edges(0.0, 0.1, 0.5), (std::vector<double>{0.0, 0.1}));
+  EXPECT_THROW(bin_edges(0.0, 1.0, 1e-9), InputError);
+}
+
+// Layers add up to all rods, each with what clipped_volume finds in it.
+TEST(SolidProfile, Heights)
+{
+  const auto rods = bed();
+  const auto bins = height_profile(rods, 2.0, -0.1, bin_edges(0.0, 0.6, 0.03));
+  const double all = total_volume(rods);
+  EXPECT_NEAR(sum_of(bins), all, 1e-13 * all);
+  for (const ProfileBin &bin : bins) {
+    EXPECT_NEAR(bin.region, 2.0 * (bin.high - bin.low), 1e-15);
+    const SolidFraction layer =
+        solid_fraction(rods, {0, 0, 10, bin.low - 0.1, bin.high - 0.1}, 1e-6);
+    const double space = volume(layer.region);
+    EXPECT_NEAR(bin.solid, layer.fraction * space, layer.error * space + 1e-12 * all);
+  }
+}
+
+// Shells add up to what the vessel holds, and each agrees with the bounds of clipped_volume.
+TEST(SolidProfile, ShellsAgainstBounds)
+{
+  const auto rods = bed();
+  const UprightCylinder vessel{0.01, -0.02, 0.1, 0.02, 0.2};
+  const SolidFraction whole = solid_fraction(rods, vessel, 1e-6);
+  const double space = volume(vessel), solid = whole.fraction * space;
+  constexpr double tolerance = 1e-4;
+  const auto radius = radius_profile(rods, vessel, bin_edges(0.0, 0.1, 0.01), tolerance);
+  const auto wall = wall_profile(rods, vessel, bin_edges(0.0, 0.1, 0.01), tolerance);
+  EXPECT_NEAR(region_of(radius), space, 1e-14);
+  EXPECT_NEAR(region_of(wall), space, 1e-14);
+  EXPECT_NEAR(sum_of(radius), solid, 1e-4 * solid);
+  EXPECT_NEAR(sum_of(wall), solid, 1e-4 * solid);
+  double inner = 0.0;
+  for (const ProfileBin &bin : radius) {
+    const UprightCylinder within{vessel.x, vessel.y, bin.high, vessel.z_low, vessel.z_high};
+    const SolidFraction found = solid_fraction(rods, within, 1e-6);
+    const double outer = found.fraction * volume(within);
+    // 1e-5: the other method's own bounds.
+    EXPECT_NEAR(bin.solid, outer - inner, bin.error + 1e-5 * bin.solid) << bin.low;
+    EXPECT_LE(bin.error, 1.01 * tolerance * bin.solid) << bin.low;
+    inner = outer;
+  }
+  double outer = solid;
+  for (const ProfileBin &bin : wall) {
+    const UprightCylinder beyond{vessel.x, vessel.y, vessel.radius - bin.high,
+                                 vessel.z_low + bin.high, vessel.z_high};
+    double rest = 0.0;
+    if (&bin != &wall.back()) {
+      const SolidFraction found = solid_fraction(rods, beyond, 1e-6);
+      rest = found.fraction * volume(beyond);
+    }
+    EXPECT_NEAR(bin.solid, outer - rest, bin.error + 1e-5 * bin.solid) << bin.low;
+    outer = rest;
+  }
+}
+
+// A tube of radius r upright on the axis fills all shells up to r and nothing beyond.
+TEST(SolidProfile, UprightRodOnTheAxis)
+{
+  const std::vector<Rod> rods{{1, 1, {{{0, 0, 0}, {0, 0, 1}, 5.0}, 0.3}}};
+  const auto bins =
+      radius_profile(rods, {0, 0, 1, -1, 1}, {0.0, 0.1, 0.2, 0.3, 0.5, 1.0}, 1e-4);
+  for (const ProfileBin &bin : bins)
+    EXPECT_NEAR(bin.fraction(), bin.high <= 0.3 ? 1.0 : 0.0, 1e-3) << bin.low;
+  EXPECT_NEAR(sum_of(bins), pi * 0.09 * 2.0, 1e-12);  // the outer shells hold the rod whole
+}
+
+// Rods of no thickness to speak of, spread evenly: the same fraction in every bin.
+TEST(SolidProfile, EvenFillIsFlat)
+{
+  std::vector<Rod> rods;
+  constexpr int n = 40;
+  for (int i = -n; i <= n; ++i)
+    for (int j = -n; j <= n; ++j)
+      rods.push_back({1, 1, {{{0.05 * i, 0.05 * j, 0.0}, {0, 0, 1}, 5.0}, 0.005}});
+  const double even = pi * 0.005 * 0.005 / (0.05 * 0.05);
+  for (const ProfileBin &bin :
+       wall_profile(rods, {0, 0, 1.7, 0, 2}, bin_edges(0.0, 1.7, 0.425), 1e-4))
+    EXPECT_NEAR(bin.fraction(), even, 0.03 * even) << bin.low;  // a grid's rods in a ring
+}
+
+// An earlier piece's exception wins, whatever thread it was in.
+TEST(Parallel, PiecesAndExceptions)
+{
+  std::vector<int> hits(1000, 0);
+  for_each_piece(hits.size(), 7, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) ++hits[i];
+  });
+  EXPECT_EQ(hits, std::vector<int>(1000, 1));
+  for_each_piece(0, 7, [](std::size_t, std::size_t) { FAIL(); });
+  try {
+    for_each_piece(100, 10, [](std::size_t begin, std::size_t) {
+      if (begin >= 30) throw static_cast<int>(begin);
+    });
+    FAIL();
+  } catch (int begin) {
+    EXPECT_EQ(begin, 30);
+  }
+}
+
+}  // namespace
+}  // namespace spherocylinder
