@@ -10,21 +10,19 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
-#include <vtkImageShrink3D.h>
 #include <vtkLight.h>
 #include <vtkLineSource.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkWindowToImageFilter.h>
 
 #include "analysis/input_error.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
+#include "pictures/png_file.h"
 #include "pictures/rod_surface.h"
 #include "pictures/vessel_surface.h"
 
@@ -220,23 +218,6 @@ void add_annotation(vtkRenderer *renderer, const PictureOptions &options, const 
   renderer->AddActor2D(colours);
 }
 
-void write_png(vtkRenderWindow *window, const std::string &path)
-{
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  vtkNew<vtkImageShrink3D> shrink;
-  shrink->SetInputConnection(grab->GetOutputPort());
-  shrink->SetShrinkFactors(oversampling, oversampling, 1);
-  shrink->AveragingOn();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(shrink->GetOutputPort());
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-    throw InputError(fmt::format("{}: the picture could not be written", path));
-}
-
 }  // namespace
 
 void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
@@ -273,7 +254,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   add_annotation(renderer, options, layout, picture_width,
                  colour_bar(colours, colour.title, range.labels, ink), ink);
   window->Render();
-  write_png(window, path);
+  write_png(window, path, oversampling);
 }
 
 }  // namespace spherocylinder

@@ -46,10 +46,13 @@ void need_display(char **argv)
     throw InputError("no X display can be reached, not even under xvfb-run");
   setenv(restarted, "1", 1);
 
+  // -noreset: without it Xvfb starts afresh whenever its last window closes, and a second window
+  // may find it gone.
+  const std::string server = "-screen 0 1280x1024x24 -noreset";
   // The file itself, since argv[0] need not lead to it.
   std::string self = std::filesystem::read_symlink("/proc/self/exe");
   std::vector<char *> arguments;
-  std::string words[] = {"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", self};
+  std::string words[] = {"xvfb-run", "-a", "-s", server, self};
   for (std::string &word : words) arguments.push_back(word.data());
   for (char **argument = argv + 1; *argument != nullptr; ++argument) arguments.push_back(*argument);
   arguments.push_back(nullptr);
