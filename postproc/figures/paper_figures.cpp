@@ -30,10 +30,16 @@ constexpr Symbol literature_symbols[] = {{Marker::triangle, grey, true, 12.0},
 
 Symbol own_symbol(std::size_t i) { return own_symbols[i % std::size(own_symbols)]; }
 
-const std::string &name_of(const std::string &value, const Names &names)
+// `otherwise` if the value has no name of its own.
+std::string name_of(const std::string &value, const Names &names, const std::string &otherwise)
 {
   const auto found = names.find(value);
-  return found == names.end() ? value : found->second;
+  return found == names.end() ? otherwise : found->second;
+}
+
+std::string name_of_group(const std::string &value, const Names &names)
+{
+  return name_of(value, names, value.empty() ? "this program" : value);
 }
 
 // Values in the order they appear, each once.
@@ -148,7 +154,7 @@ void add_beds(Panel &panel, const std::vector<PackingMean> &means, const Names &
         std::minmax_element(beds.begin(), beds.end(), [](const auto &a, const auto &b) {
           return a.beds < b.beds;
         });
-    const std::string name = groups[i].empty() ? "this program" : name_of(groups[i], names);
+    const std::string name = name_of_group(groups[i], names);
     panel.key.push_back({fmt::format("{}, {}{}", name, number_of_beds(least->beds, most->beds),
                                      beds.size() > 1 ? " each" : ""),
                          okabe_ito::black, own_symbol(i), {}});
@@ -245,9 +251,9 @@ Figure orientation_figure(const std::vector<OrientationMean> &means, const Names
   Figure figure;
   figure.width = panels.size() > 1 ? 700.0 * static_cast<double>(panels.size()) : 1000.0;
   figure.height = 760;
-  for (const std::string &name : panels) {
+  for (const std::string &part : panels) {
     Panel &panel = figure.panels.emplace_back();
-    panel.title = name_of(name, names);
+    panel.title = name_of(part, names, part);
     panel.x = {"elevation above the horizontal (equal lengths: equal solid angle)", 0.0, 1.0, {}};
     if (panels.size() > 1) panel.x.title = "elevation (equal lengths: equal solid angle)";
     for (const double degrees : {0., 10., 20., 30., 40., 50., 60., 90.})
@@ -255,7 +261,7 @@ Figure orientation_figure(const std::vector<OrientationMean> &means, const Names
     panel.y = round_axis("rods per solid angle / isotropic", 0.0, highest);
     double scatter = 0.0;
     for (const OrientationMean &mean : means) {
-      if (mean.panel != name) continue;
+      if (mean.panel != part) continue;
       const auto group = static_cast<std::size_t>(
           std::find(groups.begin(), groups.end(), mean.group) - groups.begin());
       // Error bars of several groups stand beside each other.
@@ -273,10 +279,9 @@ Figure orientation_figure(const std::vector<OrientationMean> &means, const Names
       }
       panel.curves.push_back(link);
       panel.series.push_back(series);
-      const std::string called = mean.group.empty() ? "this program"
-                                 : by_lambda        ? "λ = " + mean.group
-                                                    : name_of(mean.group, names);
-      panel.key.push_back({fmt::format("{}, {}", called, number_of_beds(mean.beds, mean.beds)),
+      const std::string name = by_lambda ? name_of(mean.group, names, "λ = " + mean.group)
+                                         : name_of_group(mean.group, names);
+      panel.key.push_back({fmt::format("{}, {}", name, number_of_beds(mean.beds, mean.beds)),
                            okabe_ito::black, series.symbol, Dash::solid});
     }
     panel.bands.push_back({1.0 - scatter, 1.0 + scatter, grey, 0.25});

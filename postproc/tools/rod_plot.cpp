@@ -27,7 +27,7 @@ Names names_of(const std::vector<std::string> &words)
   Names names;
   for (const std::string &word : words) {
     const auto equals = word.find('=');
-    if (equals == 0 || equals == std::string::npos)
+    if (equals == std::string::npos)
       throw InputError(fmt::format("--name: must be VALUE=TEXT (got '{}')", word));
     names[word.substr(0, equals)] = word.substr(equals + 1);
   }
