@@ -38,6 +38,12 @@ struct Layout {
   double left = 0.03, right = 0.83, bottom = 0.13, top = 0.97;
 };
 
+// Pixels; a line of the caption fits into tall and narrow pictures too.
+int font_size(const PictureOptions &options)
+{
+  return std::max(std::min(4 * options.height, 3 * options.width) / 180, 10);
+}
+
 struct ViewFrame {
   Vec3 right, up, towards;  // unit, orthogonal; `towards` the viewer
 };
@@ -81,7 +87,8 @@ Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options,
                  const ViewFrame &frame)
 {
   Extent extent;
-  for (const Rod &rod : rods)
+  if (!options.only_vessel)
+    for (const Rod &rod : rods)
     for (const double side : {-1.0, 1.0})
       extent.include(frame, rod.capsule.segment.at(side * rod.capsule.segment.half_length),
                      rod.capsule.radius);
@@ -220,13 +227,15 @@ void add_annotation(vtkRenderer *renderer, const PictureOptions &options, const 
 
 }  // namespace
 
+Vec3 towards_viewer(View view) { return frame_of(view).towards; }
+
 void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
                        const RodQuantity &colour, const PictureOptions &options)
 {
   const Layout layout;
   const ViewFrame frame = frame_of(options.view);
   const Extent extent = extent_of(rods, options, frame);
-  const Ink ink = ink_for(options.background, oversampling * std::max(options.height / 45, 10));
+  const Ink ink = ink_for(options.background, oversampling * font_size(options));
   const RoundRange range = round_range(colour.low, colour.high);
   const auto colours = viridis(range.low, range.high);
 
@@ -237,8 +246,8 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   add_lights(renderer);
 
   // Ambient occlusion darkens the gaps between rods, which tells near from far in a bed.
-  const double thickness = 2.0 * rods.front().capsule.radius;
-  renderer->UseSSAOOn();
+  const double thickness = rods.empty() ? 0.0 : 2.0 * rods.front().capsule.radius;
+  renderer->SetUseSSAO(!rods.empty());
   renderer->SetSSAORadius(5.0 * thickness);
   renderer->SetSSAOBias(0.05 * thickness);
   renderer->SetSSAOKernelSize(32);

@@ -24,7 +24,9 @@ bool display_answers()
   return display != nullptr;
 }
 
-bool on_path(const std::string &program)
+}  // namespace
+
+bool is_on_path(const std::string &program)
 {
   const char *path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
@@ -33,13 +35,11 @@ bool on_path(const std::string &program)
   return false;
 }
 
-}  // namespace
-
 void need_display(char **argv)
 {
   if (display_answers()) return;
   for (const char *program : {"xvfb-run", "Xvfb", "xauth"})
-    if (!on_path(program))
+    if (!is_on_path(program))
       throw InputError(std::string("no X display can be reached and the program ") + program +
                        " is not installed, wanted either (Debian packages xvfb and xauth)");
   if (std::getenv(restarted) != nullptr)
