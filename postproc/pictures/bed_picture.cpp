@@ -36,11 +36,17 @@ constexpr int oversampling = 2;
 // Part of the picture left for rods and vessel; the rest holds bars and caption.
 struct Layout {
   double left = 0.03, right = 0.83, bottom = 0.13, top = 0.97;
+
+  explicit Layout(bool colour_bar)
+  {
+    if (!colour_bar) right = 0.97;
+  }
 };
 
 // Pixels; a line of the caption fits into tall and narrow pictures too.
 int font_size(const PictureOptions &options)
 {
+  if (options.font_size > 0) return options.font_size;
   return std::max(std::min(4 * options.height, 3 * options.width) / 180, 10);
 }
 
@@ -222,7 +228,7 @@ void add_annotation(vtkRenderer *renderer, const PictureOptions &options, const 
   renderer->AddActor2D(bar(layout.left, 0.065, length / picture_width, 4.0 * line, ink));
   renderer->AddActor2D(text(length_label(length), layout.left, 0.065 + 8.0 * line, ink));
   renderer->AddActor2D(text(options.caption, layout.left, 0.02, ink));
-  renderer->AddActor2D(colours);
+  if (options.colour_bar) renderer->AddActor2D(colours);
 }
 
 }  // namespace
@@ -232,7 +238,7 @@ Vec3 towards_viewer(View view) { return frame_of(view).towards; }
 void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
                        const RodQuantity &colour, const PictureOptions &options)
 {
-  const Layout layout;
+  const Layout layout(options.colour_bar);
   const ViewFrame frame = frame_of(options.view);
   const Extent extent = extent_of(rods, options, frame);
   const Ink ink = ink_for(options.background, oversampling * font_size(options));

@@ -25,6 +25,8 @@ struct PictureOptions {
   std::optional<UprightCylinder> vessel;  // as much of it as is to be drawn
   bool only_vessel = false;  // the picture is aimed at the vessel, wherever the rods are
   std::string caption;
+  int font_size = 0;  // pixels; 0: by the picture's size
+  bool colour_bar = true;
   int resolution = 16;  // corners around a rod
 };
 

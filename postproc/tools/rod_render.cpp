@@ -41,6 +41,8 @@ struct Options {
   std::string view = "oblique";
   std::string background = "white";
   int resolution = 16;
+  int font_size = 0;
+  bool no_bar = false;
 };
 
 void set_size(PictureOptions &picture, const std::string &size)
@@ -186,6 +188,8 @@ void run(const Options &options, char **argv)
   set_background(picture, options.background);
   picture.view = view_of(options.view);
   picture.resolution = options.resolution;
+  picture.font_size = options.font_size;
+  picture.colour_bar = !options.no_bar;
   picture.only_vessel = options.top.has_value();
   const FrameChoice choice = parse_frame_choice(options.input.frame);
   const bool several = choice.kind == FrameChoice::Kind::all;
@@ -266,6 +270,10 @@ int main(int argc, char **argv)
       ->check(positive_number());
   app.add_option("--background", options.background, "colour's name or #rrggbb")
       ->capture_default_str();
+  app.add_option("--font-size", options.font_size,
+                 "height of the letters in pixels, by default a 45th of the picture's height")
+      ->check(CLI::Range(6, 400));
+  app.add_flag("--no-colour-bar,--no-color-bar", options.no_bar, "leave out the colour bar");
   app.add_option("--resolution", options.resolution, "corners around a rod")
       ->check(CLI::Range(8, 200))
       ->capture_default_str();

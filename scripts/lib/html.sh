@@ -100,7 +100,7 @@ lmp -in in.fill   -var lambda 30 -var seed $shown_seed$time -var limit_fill 0 -v
 lmp -in in.settle -var lambda 30 -var seed $shown_seed$time -var limit_fill 0 -var limit_settle 0
 rod_packing     dump.settle --vessel-radius 0.305 --csv packing.csv
 rod_orientation dump.settle --bins 12 --csv orientation.csv --summary-csv order.csv
-rod_render dump.fill   --frame 25000 --top 2 --view side --vessel-radius 0.305 --timestep 2e-5 --size 600x1500 --out figure1_1.png
+rod_render dump.fill   --vessel-radius 0.305 --timestep 2e-5 --frame ${snapshots[0]} ${snapshot_style[*]} --out figure1_1.png
 rod_render dump.settle --vessel-radius 0.305 --timestep 2e-5 --size 1200x1000 --out figure2.png
 rod_plot packing     beds.csv      --by limits --literature literature.csv --out figure3.svg
 rod_plot orientation elevation.csv --by lambda --panels limits --out figure4.svg
@@ -108,8 +108,8 @@ COMMANDS
 }
 
 write_report() {
-  local n mode beds_each="$number_of_seeds beds of each kind"
-  [ "$number_of_seeds" -gt 1 ] || beds_each="one bed of each kind"
+  local n mode beds_each="$number_of_seeds beds of each kind, which differ in their seed" over="mean and standard error over $number_of_seeds beds"
+  if [ "$number_of_seeds" = 1 ]; then beds_each="one bed of each kind"; over="one bed each"; fi
   cat <<'HTML'
 <!DOCTYPE html>
 <html lang="en">
@@ -138,7 +138,7 @@ There are no error bars over beds, and beds with the study's limits are still se
 HTML
   cat <<HTML
 <p>Rods of diameter 0.01 m are placed at random over the height of an upright cylindrical vessel and fall all together.
-$beds_each, which differ in their seed: with the study's limits on the angular velocity ω
+Here: $beds_each, with the study's limits on the angular velocity ω
 (4π rad/s while they fall, 0.2π rad/s while they settle) and with none. λ is the total length over the diameter.</p>
 
 <h2>Volume fractions and orientation</h2>
@@ -155,7 +155,7 @@ $(table_of_means)
 $(for ((n = 1; n <= ${#snapshots[@]} + 1; n++)); do image "$results/figure1_$n.png" "snapshot $n of the filling"; done)
 </div>
 <figcaption>Rods of λ = 30 without a limit on ω while they fill the vessel, and at the end; seed $shown_seed. The lower 2 m
-of the vessel of 10 m, seen level; rods that reach above are not drawn.</figcaption></figure>
+of the vessel of 10 m, seen level; rods that reach above are not drawn. Colours are those of figure 2.</figcaption></figure>
 
 <h2>Figure 2: the bed of λ = 30</h2>
 <figure><div class="row">
@@ -170,7 +170,7 @@ in the table of every bed.</figcaption></figure>
 <h2>Figure 3: solid volume fraction against aspect ratio</h2>
 <figure>
 $(image "$results/figure3.png" "solid volume fraction against aspect ratio")
-<figcaption>V_f of the inner cylinder, mean and standard error over $beds_each. Solid line: Parkhouse and Kelly, 2 ln λ/λ. Dashed and dash-dotted: random
+<figcaption>V_f of the inner cylinder, $over. Solid line: Parkhouse and Kelly, 2 ln λ/λ. Dashed and dash-dotted: random
 contacts for rods that lie horizontal and for isotropic ones; dotted, with bars: for the orientation of the beds themselves.
 Hollow grey: values quoted from memory, not looked up in their source.
 $(grep '^left out' "$work/figure3.txt" | sed 's/^left out: /Not shown: /; s/$/./' | escaped)</figcaption></figure>
@@ -179,7 +179,7 @@ $(grep '^left out' "$work/figure3.txt" | sed 's/^left out: /Not shown: /; s/$/./
 <figure>
 $(image "$results/figure4.png" "distribution of the elevation")
 <figcaption>Rods per solid angle over that of isotropic rods, against the elevation of the axis above the horizontal. $(
-  if [ "$number_of_seeds" -gt 1 ]; then echo "Mean and standard error over the beds."; else echo "Errors are those of the counts."; fi)
+  if [ "$number_of_seeds" = 1 ]; then echo "One bed each; errors are those of the counts."; else echo "Points and errors: $over."; fi)
 Grey: what as many isotropic rods would show.</figcaption></figure>
 
 <h2>Settings</h2>
