@@ -76,7 +76,8 @@ std::vector<std::vector<Point>> strokes_of(const std::vector<Point> &points, Das
     Point at = points[i - 1];
     double length = std::hypot(points[i].x - at.x, points[i].y - at.y);
     while (length > left) {
-      at = {at.x + left / length * (points[i].x - at.x), at.y + left / length * (points[i].y - at.y)};
+      const double part = left / length;
+      at = {at.x + part * (points[i].x - at.x), at.y + part * (points[i].y - at.y)};
       length -= left;
       if (piece % 2 == 0)
         strokes.back().push_back(at);
@@ -307,8 +308,8 @@ std::string ending_of(const std::string &path)
   return std::filesystem::path(path).extension();
 }
 
-// VTK gives the drawing a size in pixels but no viewBox, without which it cannot be shown at another
-// size.
+// VTK gives the drawing a size in pixels but no viewBox, without which it cannot be shown at
+// another size.
 void add_view_box(const std::string &path, const Figure &figure)
 {
   std::ostringstream text;

@@ -26,9 +26,9 @@ std::vector<LiteraturePoint> read_literature(const std::string &path);
 // What the values of a grouping column are called in a figure.
 using Names = std::map<std::string, std::string>;
 
-// Figure 3. Curves: Parkhouse and Kelly from lambda = e on, where they have their maximum, and random
-// contacts from lambda = 5 on, since they hold for long rods. `left_out` gets a sentence for each
-// literature point beyond the axes.
+// Figure 3. Curves: Parkhouse and Kelly from lambda = e on, where they have their maximum, and
+// random contacts from lambda = 5 on, since they hold for long rods. `left_out` gets a sentence for
+// each literature point beyond the axes.
 Figure packing_figure(const std::vector<PackingMean> &means,
                       const std::vector<LiteraturePoint> &literature, const Names &names,
                       std::vector<std::string> &left_out);

@@ -49,8 +49,9 @@ void write_film(const std::string &path, const std::string &picture, double rate
   std::filesystem::path pattern(picture);
   pattern.replace_filename(pattern.stem().string() + "_%04d" + pattern.extension().string());
   if (!is_on_path("ffmpeg")) {
-    fmt::print(stderr, "rod_render: {}: not made, since ffmpeg is not installed; its pictures are {}\n",
-               path, pattern.string());
+    fmt::print(stderr,
+               "rod_render: {}: not made, since ffmpeg is not installed; its pictures are {}\n", path,
+               pattern.string());
     return;
   }
   // yuv420p, which all players know, halves the colours' resolution: the size must be even.

@@ -233,7 +233,9 @@ int main(int argc, char **argv)
   CLI::App app("Pictures of a bed of rods, and films of them.", "rod_render");
   app.footer("Example: rod_render bed.dump --out bed.png --vessel-radius 0.305 --view side");
   add_input_options(app, options.input);
-  app.add_option("--out", options.out, "PNG file to write; with --frame all NAME_0001.png and so on")->required();
+  app.add_option("--out", options.out,
+                 "PNG file to write; with --frame all NAME_0001.png and so on")
+      ->required();
   app.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   app.add_option("--view", options.view, "side, top or oblique")
       ->check(CLI::IsMember({"side", "top", "oblique"}))

@@ -44,7 +44,8 @@ class Figures : public ScratchFolder {
 
 TEST_F(Figures, TableReadsQuotesCommentsAndEmptyFields)
 {
-  const CsvTable table(write("t.csv", "# by hand\na,\"b, or c\",d\r\n\n1e3,\"x \"\"y\"\", z\",\r\n"));
+  const CsvTable table(
+      write("t.csv", "# by hand\na,\"b, or c\",d\r\n\n1e3,\"x \"\"y\"\", z\",\r\n"));
   ASSERT_EQ(table.rows(), 1u);
   EXPECT_EQ(table.number(0, "a"), 1000.0);
   EXPECT_EQ(table.text(0, "b, or c"), "x \"y\", z");
@@ -116,7 +117,10 @@ TEST_F(Figures, WrongNumbersAreRefused)
   expect_refusal([&] { orientation("1,30,10,2,0.1,0.5,0.05\n"); }, "a bin from 30 to 10 degrees");
   expect_refusal([&] { orientation("1,0,30,2,0.1,0,0.05\n"); }, "isotropic_fraction is 0");
   expect_refusal(
-      [&] { orientation("1,0,30,2,0.1,0.5,0.05\n1,30,90,0,0.1,0.5,0.05\n2,0,30,2,0.1,0.5,0.05\n"); },
+      [&] {
+        orientation(
+            "1,0,30,2,0.1,0.5,0.05\n1,30,90,0,0.1,0.5,0.05\n2,0,30,2,0.1,0.5,0.05\n");
+      },
       "the bin from 30 to 90 degrees is in 1 of 2 beds");
   expect_refusal(
       [&] {
@@ -150,9 +154,9 @@ double value_at(const Curve &curve, double x)
   return NAN;
 }
 
-// Values of 2 ln(lambda)/lambda and of the random contact equation worked out by hand for lambda =
-// 20: V_p = 19/4 + 1/6, V_ex = 361 (2 s/pi) + 38 + 4/3, V_f = 10.5 V_p/V_ex: 0.2348 for s = pi/4 and
-// 0.2781 for 2/pi. Chords of the drawn curve lie above it by less than 1e-3.
+// Values of 2 ln(lambda)/lambda and of the random contact equation worked out by hand for
+// lambda = 20: V_p = 19/4 + 1/6, V_ex = 361 (2 s/pi) + 38 + 4/3, V_f = 10.5 V_p/V_ex: 0.2348 for
+// s = pi/4 and 0.2781 for 2/pi. Chords of the drawn curve lie above it by less than 1e-3.
 TEST(PaperFigures, CurvesOfTheory)
 {
   std::vector<std::string> left_out;

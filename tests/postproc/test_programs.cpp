@@ -165,7 +165,7 @@ TEST_F(Programs, ExamplesOfThePlots)
 TEST_F(Programs, SymbolsLieWhereTheyShould)
 {
   if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
-  write("p.csv", "lambda,vf_inner\n10,0.4\n");
+  write("p.csv", "lambda,vf_inner\n10,0.3\n");
   ASSERT_EQ(run("rod_plot packing p.csv --out p.svg"), 0) << error_;
   const std::string svg = read("p.svg");
   EXPECT_NE(svg.find("viewBox=\"0 0 1200 900\""), std::string::npos);
@@ -185,7 +185,7 @@ TEST_F(Programs, SymbolsLieWhereTheyShould)
   }
   ASSERT_EQ(corners, 40);
   EXPECT_NEAR(x / corners, 317.5, 0.1);
-  EXPECT_NEAR(y / corners, 900 - (95 + 780 * 0.4 / 0.8), 0.1);
+  EXPECT_NEAR(y / corners, 900 - (95 + 780 * 0.3 / 0.8), 0.1);
   EXPECT_NEAR(least_x, 317.5 - 6.5, 0.1);
 }
 
@@ -269,7 +269,8 @@ TEST_F(Programs, VtkFilesCarryAllColumns)
 // Wall and floor stand beside the rods in each frame.
 TEST_F(Programs, VtkSeriesHoldsTheVessel)
 {
-  ASSERT_EQ(run("rod_vtk pour.dump --out p --geometry lines --vessel-radius 1 --vessel-height 2"), 0);
+  ASSERT_EQ(
+      run("rod_vtk pour.dump --out p --geometry lines --vessel-radius 1 --vessel-height 2"), 0);
   const std::string series = read("p.pvd");
   std::size_t walls = 0;
   for (auto at = series.find("p_vessel.vtp"); at != std::string::npos;
@@ -337,9 +338,11 @@ TEST_F(Programs, WrongOptions)
   expect_refusal("rod_render bed.dump --out a.png --size big", "--size: must be WIDTHxHEIGHT");
   expect_refusal("rod_render bed.dump --out a.png --colour taste", "column 'taste' is missing");
   expect_refusal("rod_render bed.dump --out a.png --background blurple", "--background");
-  expect_refusal("rod_render bed.dump --out a.png --frame all", "--frame all: needs --vessel-radius");
-  expect_refusal("rod_render bed.dump --out a.png --frame all --vessel-radius 1 --top 1 --colour spin",
-                 "--frame all: needs --range");
+  expect_refusal("rod_render bed.dump --out a.png --frame all",
+                 "--frame all: needs --vessel-radius");
+  expect_refusal(
+      "rod_render bed.dump --out a.png --frame all --vessel-radius 1 --top 1 --colour spin",
+      "--frame all: needs --range");
   expect_refusal("rod_render bed.dump --out a.png --film a.mp4", "--film: needs --frame all");
   expect_refusal("rod_render bed.dump --out a.png --film a.gif", "must end in .mp4 or .webm");
   expect_refusal("rod_render bed.dump --out a.png --top 1", "--top: needs --vessel-radius");
@@ -392,8 +395,8 @@ TEST_F(Programs, FilmIsMadeByFfmpeg)
   if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
   const std::string command =
       programs +
-      "/rod_render pour.dump --frame all --out p.png --vessel-radius 0.305 --top 0.6 --size 200x200 "
-      "--rate 25 --film p.webm";
+      "/rod_render pour.dump --frame all --out p.png --vessel-radius 0.305 --top 0.6 "
+      "--size 200x200 --rate 25 --film p.webm";
   const auto fake = [&](const std::string &last_line) {
     write("bin/ffmpeg", "#!/bin/sh\necho \"$@\" >called.txt\n" + last_line + "\n");
     std::filesystem::permissions(folder() / "bin/ffmpeg", std::filesystem::perms::owner_all);
@@ -410,8 +413,8 @@ TEST_F(Programs, FilmIsMadeByFfmpeg)
   EXPECT_EQ(error_, "rod_render: p.webm: ffmpeg ended with exit code 3, wanted 0\n");
 }
 
-// --cut leaves the half behind the axis, --top what lies wholly below. Three rods: in front, behind,
-// and behind but too high. The caption's numbers are drawn, so that the pictures tell them apart:
+// --cut leaves the half behind the axis, --top what lies wholly below. Three rods: in front,
+// behind, and behind but too high. The caption's numbers are drawn, so that the pictures tell them apart:
 // the same picture is made from a dump that holds no more than the rod that is left and the one of
 // the same total.
 TEST_F(Programs, PartsOfABedAreLeftOut)

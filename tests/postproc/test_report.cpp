@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// scripts/report from end to end, with a program that stands in for lmp and hands out the same small
-// bed at once: what is computed, kept, named when it fails, and what the page holds.
+// scripts/report and run from end to end, with a program that stands in for lmp and hands out the
+// same small bed at once: what is computed, kept, named when it fails, and what the page holds.
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -83,16 +83,18 @@ touch restart.${{deck#in.}}
     fs::permissions(folder() / "build/release" / name, fs::perms::owner_all);
   }
 
-  // All on one display.
-  int run(const std::string &arguments)
+  // All pictures on one display.
+  int run_script(const std::string &command)
   {
-    const int status = std::system(
-        fmt::format("cd '{}' && xvfb-run -a -s '-screen 0 640x480x24 -noreset' "
-                    "sh -c 'exec scripts/report --no-build {} 2>error.txt' >out.txt",
-                    folder().string(), arguments)
-            .c_str());
+    const int status =
+        std::system(fmt::format("cd '{}' && xvfb-run -a -s '-screen 0 640x480x24 -noreset' "
+                                "sh -c 'exec scripts/{} 2>error.txt' >out.txt",
+                                folder().string(), command)
+                        .c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
+
+  int run(const std::string &arguments) { return run_script("report --no-build " + arguments); }
 
   std::size_t calls() { return count(read("calls"), "\n"); }
 };
@@ -164,6 +166,21 @@ TEST_F(Report, TableOfMeans)
                 "<td>6.00 ± 0.00</td><td>0.0300</td><td>3.0e-09</td>"),
             std::string::npos)
       << read("table.html");
+}
+
+// scripts/run does the same cases, for a table and a picture of each.
+TEST_F(Report, RunMakesATable)
+{
+  for (const char *script : {"scripts/setup", "scripts/build"}) write(script, "#!/bin/sh\n");
+  ASSERT_EQ(run_script("run 10 --out beds --jobs 2"), 0) << read("error.txt");
+  EXPECT_EQ(calls(), 4u);
+  const std::string summary = read("beds/summary.csv");
+  EXPECT_EQ(count(summary, "\n"), 3u) << summary;
+  EXPECT_EQ(count(summary, "\n10,study,86028121,"), 1u) << summary;
+  EXPECT_EQ(count(summary, "\n10,none,86028121,"), 1u) << summary;
+  EXPECT_EQ(count(read("out.txt"), " 6.25 "), 2u) << read("out.txt");
+  EXPECT_TRUE(fs::exists(folder() / "beds/lambda10_limits_none_seed86028121/bed.png"));
+  EXPECT_EQ(count(read("calls"), " 86028121 10\n"), 4u) << read("calls");
 }
 
 TEST_F(Report, WrongOptions)
