@@ -103,6 +103,11 @@ std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
           },
           PackingBeds{group, lambda, {}, {}});
       seen.add(table, row, fmt::format("{}\n{}\n{}", group, kind.lambda, seed_of(table, row)));
+      const std::string mean_mark = vf_column + "_standard_error";
+      if (table.has(mean_mark) && !table.is_empty(row, mean_mark))
+        throw InputError(fmt::format("{}: {} is {}, so that this is a mean over beds, wanted a row "
+                                     "for each bed",
+                                     table.place(row), mean_mark, table.text(row, mean_mark)));
       kind.vf.push_back(table.number(row, vf_column));
       if (has_axes && !table.is_empty(row, "mean_sin_gamma"))
         kind.sin_gamma.push_back(table.number(row, "mean_sin_gamma"));

@@ -24,7 +24,8 @@ struct PackingMean {
 // Reads the columns lambda_mean (or lambda), vf_inner or vf_whole, mean_sin_gamma (if there) and
 // `by`. Rows of one group whose lambda agrees to 0.5 % are beds of one kind. Sorted by lambda
 // within a group, groups in the order they appear. Throws InputError if a file holds one bed twice:
-// beds in one file are told apart by the column seed.
+// beds in one file are told apart by the column seed,
+// or if a row is itself a mean over beds (has a standard error of V_f).
 std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
                                        const std::string &vf_column, const std::string &by);
 
