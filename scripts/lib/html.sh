@@ -170,7 +170,7 @@ in the table of every bed.</figcaption></figure>
 <h2>Figure 3: solid volume fraction against aspect ratio</h2>
 <figure>
 $(image "$results/figure3.png" "solid volume fraction against aspect ratio")
-<figcaption>V_f of the inner cylinder, $over. Solid line: Parkhouse and Kelly, 2 ln λ/λ. Dashed and dash-dotted: random
+<figcaption>V_f of the inner cylinder, $over; error bars shorter than a symbol are hidden by it. Solid line: Parkhouse and Kelly, 2 ln λ/λ. Dashed and dash-dotted: random
 contacts for rods that lie horizontal and for isotropic ones; dotted, with bars: for the orientation of the beds themselves.
 Hollow grey: values quoted from memory, not looked up in their source.
 $(grep '^left out' "$work/figure3.txt" | sed 's/^left out: /Not shown: /; s/$/./' | escaped)</figcaption></figure>
