@@ -10,21 +10,19 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
-#include <vtkImageShrink3D.h>
 #include <vtkLight.h>
 #include <vtkLineSource.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkWindowToImageFilter.h>
 
 #include "analysis/input_error.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
+#include "pictures/png_file.h"
 #include "pictures/rod_surface.h"
 #include "pictures/vessel_surface.h"
 
@@ -38,7 +36,19 @@ constexpr int oversampling = 2;
 // Part of the picture left for rods and vessel; the rest holds bars and caption.
 struct Layout {
   double left = 0.03, right = 0.83, bottom = 0.13, top = 0.97;
+
+  explicit Layout(bool colour_bar)
+  {
+    if (!colour_bar) right = 0.97;
+  }
 };
+
+// Pixels; a line of the caption fits into tall and narrow pictures too.
+int font_size(const PictureOptions &options)
+{
+  if (options.font_size > 0) return options.font_size;
+  return std::max(std::min(4 * options.height, 3 * options.width) / 180, 10);
+}
 
 struct ViewFrame {
   Vec3 right, up, towards;  // unit, orthogonal; `towards` the viewer
@@ -83,7 +93,8 @@ Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options,
                  const ViewFrame &frame)
 {
   Extent extent;
-  for (const Rod &rod : rods)
+  if (!options.only_vessel)
+    for (const Rod &rod : rods)
     for (const double side : {-1.0, 1.0})
       extent.include(frame, rod.capsule.segment.at(side * rod.capsule.segment.half_length),
                      rod.capsule.radius);
@@ -217,35 +228,20 @@ void add_annotation(vtkRenderer *renderer, const PictureOptions &options, const 
   renderer->AddActor2D(bar(layout.left, 0.065, length / picture_width, 4.0 * line, ink));
   renderer->AddActor2D(text(length_label(length), layout.left, 0.065 + 8.0 * line, ink));
   renderer->AddActor2D(text(options.caption, layout.left, 0.02, ink));
-  renderer->AddActor2D(colours);
-}
-
-void write_png(vtkRenderWindow *window, const std::string &path)
-{
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  vtkNew<vtkImageShrink3D> shrink;
-  shrink->SetInputConnection(grab->GetOutputPort());
-  shrink->SetShrinkFactors(oversampling, oversampling, 1);
-  shrink->AveragingOn();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(shrink->GetOutputPort());
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-    throw InputError(fmt::format("{}: the picture could not be written", path));
+  if (options.colour_bar) renderer->AddActor2D(colours);
 }
 
 }  // namespace
 
+Vec3 towards_viewer(View view) { return frame_of(view).towards; }
+
 void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
                        const RodQuantity &colour, const PictureOptions &options)
 {
-  const Layout layout;
+  const Layout layout(options.colour_bar);
   const ViewFrame frame = frame_of(options.view);
   const Extent extent = extent_of(rods, options, frame);
-  const Ink ink = ink_for(options.background, oversampling * std::max(options.height / 45, 10));
+  const Ink ink = ink_for(options.background, oversampling * font_size(options));
   const RoundRange range = round_range(colour.low, colour.high);
   const auto colours = viridis(range.low, range.high);
 
@@ -256,8 +252,8 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   add_lights(renderer);
 
   // Ambient occlusion darkens the gaps between rods, which tells near from far in a bed.
-  const double thickness = 2.0 * rods.front().capsule.radius;
-  renderer->UseSSAOOn();
+  const double thickness = rods.empty() ? 0.0 : 2.0 * rods.front().capsule.radius;
+  renderer->SetUseSSAO(!rods.empty());
   renderer->SetSSAORadius(5.0 * thickness);
   renderer->SetSSAOBias(0.05 * thickness);
   renderer->SetSSAOKernelSize(32);
@@ -273,7 +269,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   add_annotation(renderer, options, layout, picture_width,
                  colour_bar(colours, colour.title, range.labels, ink), ink);
   window->Render();
-  write_png(window, path);
+  write_png(window, path, oversampling);
 }
 
 }  // namespace spherocylinder

@@ -23,12 +23,18 @@ struct PictureOptions {
   View view = View::oblique;
   double background[3] = {1.0, 1.0, 1.0};
   std::optional<UprightCylinder> vessel;  // as much of it as is to be drawn
+  bool only_vessel = false;  // the picture is aimed at the vessel, wherever the rods are
   std::string caption;
+  int font_size = 0;  // pixels; 0: by the picture's size
+  bool colour_bar = true;
   int resolution = 16;  // corners around a rod
 };
 
+// Unit vector from what is seen towards the viewer.
+Vec3 towards_viewer(View view);
+
 // Parallel projection, so that the scale bar holds everywhere; the part in front of the rods is
-// cut off the vessel's wall. Writes a PNG; throws InputError if the file cannot be written.
+// cut off the vessel's wall. There may be no rods if the picture is aimed at the vessel. Writes a PNG; throws InputError if the file cannot be written.
 void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
                        const RodQuantity &colour, const PictureOptions &options);
 

@@ -24,7 +24,9 @@ bool display_answers()
   return display != nullptr;
 }
 
-bool on_path(const std::string &program)
+}  // namespace
+
+bool is_on_path(const std::string &program)
 {
   const char *path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
@@ -33,23 +35,24 @@ bool on_path(const std::string &program)
   return false;
 }
 
-}  // namespace
-
 void need_display(char **argv)
 {
   if (display_answers()) return;
   for (const char *program : {"xvfb-run", "Xvfb", "xauth"})
-    if (!on_path(program))
+    if (!is_on_path(program))
       throw InputError(std::string("no X display can be reached and the program ") + program +
                        " is not installed, wanted either (Debian packages xvfb and xauth)");
   if (std::getenv(restarted) != nullptr)
     throw InputError("no X display can be reached, not even under xvfb-run");
   setenv(restarted, "1", 1);
 
+  // -noreset: without it Xvfb starts afresh whenever its last window closes, and a second window
+  // may find it gone.
+  const std::string server = "-screen 0 1280x1024x24 -noreset";
   // The file itself, since argv[0] need not lead to it.
   std::string self = std::filesystem::read_symlink("/proc/self/exe");
   std::vector<char *> arguments;
-  std::string words[] = {"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", self};
+  std::string words[] = {"xvfb-run", "-a", "-s", server, self};
   for (std::string &word : words) arguments.push_back(word.data());
   for (char **argument = argv + 1; *argument != nullptr; ++argument) arguments.push_back(*argument);
   arguments.push_back(nullptr);

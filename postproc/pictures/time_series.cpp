@@ -27,9 +27,9 @@ void write_poly_data(const std::string &path, vtkPolyData *data)
     throw InputError(fmt::format("{}: could not be written to its end", path));
 }
 
-void TimeSeries::add(double time, const std::string &file)
+void TimeSeries::add(double time, const std::string &file, int part)
 {
-  entries_.push_back({time, std::filesystem::path(file).filename()});
+  entries_.push_back({time, std::filesystem::path(file).filename(), part});
 }
 
 bool TimeSeries::has(const std::string &file) const
@@ -51,7 +51,7 @@ void TimeSeries::write() const
     vtkNew<vtkXMLDataElement> data_set;
     data_set->SetName("DataSet");
     data_set->SetAttribute("timestep", fmt::format("{:.10g}", entry.time).c_str());
-    data_set->SetAttribute("part", "0");
+    data_set->SetAttribute("part", fmt::format("{}", entry.part).c_str());
     data_set->SetAttribute("file", entry.file.c_str());
     collection->AddNestedElement(data_set);
   }

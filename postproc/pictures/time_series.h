@@ -2,7 +2,6 @@
 // Files ParaView opens: poly data, and a list of them with times (.pvd).
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,16 +17,16 @@ class TimeSeries {
  public:
   explicit TimeSeries(std::string path) : path_(std::move(path)) {}
 
-  // `file` lies in the same folder as the .pvd.
-  void add(double time, const std::string &file);
+  // `file` lies in the same folder as the .pvd. Files of one time are its parts, numbered from 0.
+  void add(double time, const std::string &file, int part = 0);
   bool has(const std::string &file) const;
   void write() const;
-  std::size_t size() const { return entries_.size(); }
 
  private:
   struct Entry {
     double time;
     std::string file;
+    int part;
   };
 
   std::string path_;

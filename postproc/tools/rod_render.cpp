@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// rod_render: a picture of a bed of rods. docs/rod_render.md
+// rod_render: pictures of a bed of rods, and films. docs/rod_render.md
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -18,6 +20,7 @@
 #include "analysis/text.h"
 #include "pictures/bed_picture.h"
 #include "pictures/display.h"
+#include "pictures/film.h"
 
 using namespace spherocylinder;
 
@@ -28,13 +31,18 @@ struct Options {
   std::string out;
   std::string size = "1200x900";
   std::vector<double> centre{0.0, 0.0};
-  std::optional<double> vessel_radius, vessel_height, timestep;
+  std::optional<double> vessel_radius, vessel_height, top, timestep;
   double floor = 0.0;
+  bool cut = false;
+  std::string film;
+  double rate = 10.0;
   std::string colour = "elevation";
   std::vector<double> range;
   std::string view = "oblique";
   std::string background = "white";
   int resolution = 16;
+  int font_size = 0;
+  bool no_bar = false;
 };
 
 void set_size(PictureOptions &picture, const std::string &size)
@@ -70,7 +78,7 @@ View view_of(const std::string &name)
   return name == "side" ? View::side : name == "top" ? View::top : View::oblique;
 }
 
-std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods,
+std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std::size_t shown,
                        const std::optional<double> &timestep)
 {
   double low = rods.front().capsule.aspect_ratio(), high = low;
@@ -81,21 +89,96 @@ std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods,
   const bool several = high - low > 1e-4 * high;  // wider than the rounding of a dump
   std::string caption = several ? fmt::format("lambda = {:.3g} to {:.3g}", low, high)
                                 : fmt::format("lambda = {:.4g}", high);
-  caption += fmt::format(",  {} rods,  ", rods.size());
+  caption += shown == rods.size() ? fmt::format(",  {} rods,  ", rods.size())
+                                  : fmt::format(",  {} of {} rods,  ", shown, rods.size());
   if (frame.time) return caption + fmt::format("t = {:.4g} s", *frame.time);
   if (timestep)
     return caption + fmt::format("t = {:.4g} s", static_cast<double>(frame.step) * *timestep);
   return caption + fmt::format("step {}", frame.step);
 }
 
-// Only the part of the vessel that holds rods, and a little more, is drawn.
+// Up to --top, or only the part of the vessel that holds rods, and a little more.
 UprightCylinder vessel_around(const std::vector<Rod> &rods, const Options &options)
 {
+  UprightCylinder vessel{options.centre[0], options.centre[1], *options.vessel_radius,
+                         options.floor, 0.0};
+  if (options.top) {
+    vessel.z_high = *options.top;
+    return vessel;
+  }
   const double bed = bed_height(rods).highest_point - options.floor;
   double height = 1.1 * std::max(bed, 0.25 * *options.vessel_radius);
   if (options.vessel_height) height = std::min(height, *options.vessel_height);
-  return {options.centre[0], options.centre[1], *options.vessel_radius, options.floor,
-          options.floor + height};
+  vessel.z_high = options.floor + height;
+  return vessel;
+}
+
+bool is_shown(const Rod &rod, const Options &options, const Vec3 &towards)
+{
+  const Segment &segment = rod.capsule.segment;
+  const double highest =
+      segment.centre.z + std::abs(segment.axis.z) * segment.half_length + rod.capsule.radius;
+  if (options.top && highest > *options.top) return false;
+  const Vec3 from_axis{segment.centre.x - options.centre[0], segment.centre.y - options.centre[1],
+                       0.0};
+  return !options.cut || dot(from_axis, towards) <= 0.0;
+}
+
+// The rods that are shown, and their numbers.
+std::vector<Rod> shown_part(const std::vector<Rod> &rods, RodQuantity &colour,
+                            const Options &options)
+{
+  const Vec3 towards = towards_viewer(view_of(options.view));
+  std::vector<Rod> part;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < rods.size(); ++i) {
+    if (!is_shown(rods[i], options, towards)) continue;
+    part.push_back(rods[i]);
+    values.push_back(colour.values[i]);
+  }
+  colour.values = std::move(values);
+  return part;
+}
+
+void check(const Options &options, bool several)
+{
+  if (options.top && !options.vessel_radius)
+    throw InputError("--top: needs --vessel-radius, the width of what is shown");
+  if (options.top && *options.top <= options.floor)
+    throw InputError(fmt::format("--top: must be above the floor {} (got {})", options.floor,
+                                 *options.top));
+  if (options.cut && !options.vessel_radius)
+    throw InputError("--cut: needs --vessel-radius and cuts through the vessel's axis");
+  if (options.cut && options.view == "top")
+    throw InputError("--cut: needs a view from the side or oblique (got 'top')");
+  if (several && !(options.vessel_radius && options.top))
+    throw InputError(
+        "--frame all: needs --vessel-radius and --top, so that all pictures show the same part");
+  if (several && options.range.empty() && options.colour != "elevation")
+    throw InputError(fmt::format(
+        "--frame all: needs --range, so that colours by '{}' mean the same in all pictures",
+        options.colour));
+  if (!several && !options.film.empty())
+    throw InputError(
+        fmt::format("--film: needs --frame all (got --frame {})", options.input.frame));
+  if (!options.range.empty() && !(options.range[0] < options.range[1]))
+    throw InputError(fmt::format("--range: the upper end must be above the lower (got {} {})",
+                                 options.range[0], options.range[1]));
+}
+
+void check_writable(const std::string &path)
+{
+  if (!std::ofstream(path, std::ios::app))
+    throw InputError(fmt::format("{}: cannot be opened for writing", path));
+}
+
+// PREFIX_0001.png and so on for PREFIX.png.
+std::string numbered(const std::string &path, std::size_t number)
+{
+  std::filesystem::path name(path);
+  name.replace_filename(
+      fmt::format("{}_{:04}{}", name.stem().string(), number, name.extension().string()));
+  return name;
 }
 
 void run(const Options &options, char **argv)
@@ -105,12 +188,17 @@ void run(const Options &options, char **argv)
   set_background(picture, options.background);
   picture.view = view_of(options.view);
   picture.resolution = options.resolution;
+  picture.font_size = options.font_size;
+  picture.colour_bar = !options.no_bar;
+  picture.only_vessel = options.top.has_value();
   const FrameChoice choice = parse_frame_choice(options.input.frame);
-  if (choice.kind == FrameChoice::Kind::all)
-    throw InputError("--frame: must be first, last or a step for a single picture (got 'all')");
+  const bool several = choice.kind == FrameChoice::Kind::all;
+  check(options, several);
 
+  std::size_t pictures = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
     const std::vector<Rod> rods = rods_of(frame);
+    if (rods.empty() && several) return;
     if (rods.empty())
       throw InputError(
           fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
@@ -118,17 +206,23 @@ void run(const Options &options, char **argv)
     if (!options.range.empty()) {
       colour.low = options.range[0];
       colour.high = options.range[1];
-      if (!(colour.low < colour.high))
-        throw InputError(fmt::format("--range: the upper end must be above the lower (got {} {})",
-                                     colour.low, colour.high));
     }
-    picture.caption = caption_of(frame, rods, options.timestep);
+    const std::vector<Rod> part = shown_part(rods, colour, options);
+    if (part.empty() && !options.top)
+      throw InputError(fmt::format("{}: step {}: --cut leaves none of its {} rods", frame.path,
+                                   frame.step, rods.size()));
+    picture.caption = caption_of(frame, rods, part.size(), options.timestep);
     if (options.vessel_radius) picture.vessel = vessel_around(rods, options);
-    if (!std::ofstream(options.out, std::ios::app))
-      throw InputError(fmt::format("{}: cannot be opened for writing", options.out));
+    const std::string path = several ? numbered(options.out, ++pictures) : options.out;
+    check_writable(path);
     need_display(argv);  // last: whatever is wrong with the input is said before
-    write_bed_picture(options.out, rods, colour, picture);
+    write_bed_picture(path, part, colour, picture);
+    if (several) fmt::print("{}\n", path);
   });
+  if (several && pictures == 0)
+    throw InputError(fmt::format("{}: no step holds any rods, wanted at least one",
+                                 options.input.dump));
+  if (!options.film.empty()) write_film(options.film, options.out, options.rate);
 }
 
 }  // namespace
@@ -136,10 +230,12 @@ void run(const Options &options, char **argv)
 int main(int argc, char **argv)
 {
   Options options;
-  CLI::App app("Picture of a bed of rods.", "rod_render");
+  CLI::App app("Pictures of a bed of rods, and films of them.", "rod_render");
   app.footer("Example: rod_render bed.dump --out bed.png --vessel-radius 0.305 --view side");
   add_input_options(app, options.input);
-  app.add_option("--out", options.out, "PNG file to write")->required();
+  app.add_option("--out", options.out,
+                 "PNG file to write; with --frame all NAME_0001.png and so on")
+      ->required();
   app.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   app.add_option("--view", options.view, "side, top or oblique")
       ->check(CLI::IsMember({"side", "top", "oblique"}))
@@ -162,10 +258,24 @@ int main(int argc, char **argv)
       ->expected(2)
       ->check(finite_number())
       ->capture_default_str();
+  app.add_option("--top", options.top,
+                 "show the vessel from its floor up to this height Z (m) and the rods below it")
+      ->check(finite_number());
+  app.add_flag("--cut", options.cut, "leave out the rods in front of the vessel's axis");
+  app.add_option("--film", options.film,
+                 "with --frame all: also join the pictures to this .mp4 or .webm (needs ffmpeg)")
+      ->check(film_name());
+  app.add_option("--rate", options.rate, "pictures a second of the film")
+      ->check(number_between(0.1, 120.0))
+      ->capture_default_str();
   app.add_option("--timestep", options.timestep, "seconds a step, to show the time")
       ->check(positive_number());
   app.add_option("--background", options.background, "colour's name or #rrggbb")
       ->capture_default_str();
+  app.add_option("--font-size", options.font_size,
+                 "height of the letters in pixels, by default a 45th of the picture's height")
+      ->check(CLI::Range(6, 400));
+  app.add_flag("--no-colour-bar,--no-color-bar", options.no_bar, "leave out the colour bar");
   app.add_option("--resolution", options.resolution, "corners around a rod")
       ->check(CLI::Range(8, 200))
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include "analysis/command_line.h"
 #include "analysis/frame_choice.h"
 #include "analysis/input_error.h"
+#include "pictures/ovito_file.h"
 #include "pictures/rod_data.h"
 #include "pictures/rod_surface.h"
 #include "pictures/time_series.h"
@@ -26,6 +27,7 @@ struct Options {
   std::vector<double> centre{0.0, 0.0};
   std::optional<double> vessel_radius, vessel_height, timestep;
   double floor = 0.0;
+  bool ovito = false;
 };
 
 double time_of(const DumpFrame &frame, const Options &options)
@@ -34,11 +36,15 @@ double time_of(const DumpFrame &frame, const Options &options)
   return static_cast<double>(frame.step) * options.timestep.value_or(1.0);
 }
 
-void write_vessel(const Options &options)
+// The wall and the floor, each in a file of its own; returns their names.
+std::vector<std::string> write_vessel(const Options &options)
 {
   const UprightCylinder vessel{options.centre[0], options.centre[1], *options.vessel_radius,
                                options.floor, options.floor + *options.vessel_height};
-  write_poly_data(options.out + "_vessel.vtp", vessel_wall(vessel));
+  const std::vector<std::string> files{options.out + "_vessel.vtp", options.out + "_floor.vtp"};
+  write_poly_data(files[0], vessel_wall(vessel));
+  write_poly_data(files[1], vessel_floor(vessel));
+  return files;
 }
 
 void run(const Options &options)
@@ -47,8 +53,12 @@ void run(const Options &options)
     throw InputError("--vessel-radius, --vessel-height: must be given together (got one of them)");
   const FrameChoice choice = parse_frame_choice(options.input.frame);
   TimeSeries series(options.out + ".pvd");
+  std::optional<OvitoFile> ovito;  // opened only once there is something to write
+  std::vector<std::string> vessel;
+  std::size_t frames = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
     const std::vector<Rod> rods = rods_of(frame);
+    const double time = time_of(frame, options);
     const RodGeometry geometry =
         options.geometry == "lines" ? rod_lines(rods) : rod_surfaces(rods, options.resolution);
     attach_rod_data(geometry, frame, rods);
@@ -56,12 +66,19 @@ void run(const Options &options)
     if (series.has(file))
       throw InputError(
           fmt::format("{}: step {} appears twice, wanted each step once", frame.path, frame.step));
+    if (++frames == 1 && options.vessel_radius) vessel = write_vessel(options);
     write_poly_data(file, geometry.mesh);
-    series.add(time_of(frame, options), file);
+    series.add(time, file);
+    for (std::size_t i = 0; i < vessel.size(); ++i)
+      series.add(time, vessel[i], static_cast<int>(i) + 1);
+    if (!options.ovito) return;
+    if (!ovito) ovito.emplace(options.out + ".xyz");
+    ovito->add(frame, rods, time);
   });
   series.write();
-  if (options.vessel_radius) write_vessel(options);
-  fmt::print("{} frames, open {}.pvd in ParaView\n", series.size(), options.out);
+  if (ovito) ovito->close();
+  fmt::print("{} frames, open {}.pvd in ParaView", frames, options.out);
+  fmt::print("{}\n", options.ovito ? fmt::format(", {}.xyz in OVITO", options.out) : "");
 }
 
 }  // namespace
@@ -80,11 +97,12 @@ int main(int argc, char **argv)
   app.add_option("--resolution", options.resolution, "corners around a capsule")
       ->check(CLI::Range(8, 200))
       ->capture_default_str();
+  app.add_flag("--ovito", options.ovito, "also write PREFIX.xyz for OVITO");
   app.add_option("--timestep", options.timestep,
                  "seconds a step, so that the series has times, not steps")
       ->check(positive_number());
   app.add_option("--vessel-radius", options.vessel_radius,
-                 "also write PREFIX_vessel.vtp, a wall of this radius (m)")
+                 "also write PREFIX_vessel.vtp, a wall of this radius (m), and PREFIX_floor.vtp")
       ->check(positive_number());
   app.add_option("--vessel-height", options.vessel_height, "height of that wall (m)")
       ->check(positive_number());

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "figures/bed_means.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "analysis/csv_table.h"
+#include "analysis/input_error.h"
+
+namespace spherocylinder {
+namespace {
+
+constexpr double same_lambda = 0.005;  // relative; more than the rounding of a dump
+
+std::string field_or_empty(const CsvTable &table, std::size_t row, const std::string &column)
+{
+  return column.empty() ? std::string() : table.text(row, column);
+}
+
+std::string seed_of(const CsvTable &table, std::size_t row)
+{
+  return table.has("seed") ? table.text(row, "seed") : std::string();
+}
+
+// Complains of the second row of one bed.
+class SeenBeds {
+ public:
+  void add(const CsvTable &table, std::size_t row, const std::string &bed)
+  {
+    if (!beds_.insert(table.path() + '\n' + bed).second)
+      throw InputError(
+          fmt::format("{}: a second row for one bed, wanted one (a single frame; several beds "
+                      "in one file need a column 'seed')",
+                      table.place(row)));
+  }
+
+ private:
+  std::set<std::string> beds_;
+};
+
+// The entry that `fits`, or a new one at the end.
+template <class Entry, class Fits>
+Entry &find_or_add(std::vector<Entry> &entries, Fits fits, const Entry &fresh)
+{
+  const auto found = std::find_if(entries.begin(), entries.end(), fits);
+  if (found != entries.end()) return *found;
+  return entries.emplace_back(fresh);
+}
+
+struct PackingBeds {
+  std::string group;
+  double lambda;
+  std::vector<double> vf, sin_gamma;
+};
+
+struct BinOfBeds {
+  double low, high;
+  std::vector<double> densities;
+  double error, scatter;  // of one bed
+};
+
+struct OrientationBeds {
+  std::string panel, group;
+  std::set<std::string> beds;
+  std::vector<BinOfBeds> bins;
+};
+
+}  // namespace
+
+MeanWithError mean_over_beds(const std::vector<double> &values)
+{
+  const double n = static_cast<double>(values.size());
+  double mean = 0.0, squares = 0.0;
+  for (const double value : values) mean += value / n;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, n > 1.0 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
+}
+
+std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
+                                       const std::string &vf_column, const std::string &by)
+{
+  std::vector<PackingBeds> kinds;
+  std::vector<std::string> groups;
+  SeenBeds seen;
+  for (const std::string &file : files) {
+    const CsvTable table(file);
+    const std::string lambda_column = table.has("lambda_mean") ? "lambda_mean" : "lambda";
+    const bool has_axes = table.has("mean_sin_gamma");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const std::string group = field_or_empty(table, row, by);
+      const double lambda = table.number(row, lambda_column);
+      if (!(lambda >= 1.0))
+        throw InputError(
+            fmt::format("{}: {} is {}, wanted >= 1", table.place(row), lambda_column, lambda));
+      PackingBeds &kind = find_or_add(
+          kinds,
+          [&](const PackingBeds &k) {
+            return k.group == group && std::abs(k.lambda - lambda) <= same_lambda * lambda;
+          },
+          PackingBeds{group, lambda, {}, {}});
+      seen.add(table, row, fmt::format("{}\n{}\n{}", group, kind.lambda, seed_of(table, row)));
+      const std::string mean_mark = vf_column + "_standard_error";
+      if (table.has(mean_mark) && !table.is_empty(row, mean_mark))
+        throw InputError(fmt::format("{}: {} is {}, so that this is a mean over beds, wanted a row "
+                                     "for each bed",
+                                     table.place(row), mean_mark, table.text(row, mean_mark)));
+      kind.vf.push_back(table.number(row, vf_column));
+      if (has_axes && !table.is_empty(row, "mean_sin_gamma"))
+        kind.sin_gamma.push_back(table.number(row, "mean_sin_gamma"));
+      find_or_add(
+          groups, [&](const std::string &g) { return g == group; }, group);
+    }
+  }
+
+  std::vector<PackingMean> means;
+  std::sort(kinds.begin(), kinds.end(),
+            [](const PackingBeds &a, const PackingBeds &b) { return a.lambda < b.lambda; });
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const std::string &group : groups)
+    for (const PackingBeds &kind : kinds)
+      if (kind.group == group)
+        means.push_back({group, kind.lambda, kind.vf.size(), mean_over_beds(kind.vf),
+                         kind.sin_gamma.size() == kind.vf.size()
+                             ? mean_over_beds(kind.sin_gamma)
+                             : MeanWithError{none, none}});
+  return means;
+}
+
+std::vector<OrientationMean> orientation_means(const std::vector<std::string> &files,
+                                               const std::string &by, const std::string &panel_by)
+{
+  std::vector<OrientationBeds> kinds;
+  SeenBeds seen;
+  for (const std::string &file : files) {
+    const CsvTable table(file);
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const std::string group = field_or_empty(table, row, by);
+      const std::string panel = field_or_empty(table, row, panel_by);
+      OrientationBeds &kind = find_or_add(
+          kinds,
+          [&](const OrientationBeds &k) { return k.group == group && k.panel == panel; },
+          OrientationBeds{panel, group, {}, {}});
+      const double low = table.number(row, "elevation_low_deg");
+      const double high = table.number(row, "elevation_high_deg");
+      if (!(low >= 0.0 && low < high && high <= 90.0 + 1e-9))
+        throw InputError(fmt::format("{}: a bin from {} to {} degrees, wanted within 0 to 90",
+                                     table.place(row), low, high));
+      const double isotropic = table.number(row, "isotropic_fraction");
+      if (!(isotropic > 0.0))
+        throw InputError(
+            fmt::format("{}: isotropic_fraction is {}, wanted > 0", table.place(row), isotropic));
+      const std::string seed = seed_of(table, row);
+      seen.add(table, row, fmt::format("{}\n{}\n{}\n{}", panel, group, seed, low));
+      kind.beds.insert(file + '\n' + seed);
+      BinOfBeds &bin = find_or_add(
+          kind.bins, [&](const BinOfBeds &b) { return b.low == low && b.high == high; },
+          BinOfBeds{low, high, {}, 0.0, 0.0});
+      bin.densities.push_back(table.number(row, "density"));
+      bin.error = table.number(row, "density_error");
+      bin.scatter = table.number(row, "isotropic_scatter") / isotropic;
+    }
+  }
+
+  std::vector<OrientationMean> means;
+  for (const OrientationBeds &kind : kinds) {
+    OrientationMean mean{kind.panel, kind.group, kind.beds.size(), {}};
+    for (const BinOfBeds &bin : kind.bins) {
+      if (bin.densities.size() != kind.beds.size())
+        throw InputError(
+            fmt::format("the bin from {:.4g} to {:.4g} degrees is in {} of {} beds, wanted the "
+                        "same bins in all",
+                        bin.low, bin.high, bin.densities.size(), kind.beds.size()));
+      MeanWithError density = mean_over_beds(bin.densities);
+      if (kind.beds.size() == 1) density.error = bin.error;
+      mean.bins.push_back({bin.low, bin.high, density,
+                           bin.scatter / std::sqrt(static_cast<double>(kind.beds.size()))});
+    }
+    means.push_back(std::move(mean));
+  }
+  return means;
+}
+
+}  // namespace spherocylinder
