@@ -19,10 +19,12 @@ namespace {
 // Skins to begin with, in diameters of the thickest rod.
 constexpr double kFirstSkin = 0.3;
 constexpr double kFirstListSkin = 1.0;
-// Where chosen: bounds, and the steps after which they are, with a renewal among them or without.
+constexpr double kPairsToBeginWith = 8.0;  // of a rod's own half, in the list
+// Where chosen: bounds, and when: after so many renewals, which take some steps, or steps. In fewer, rods
+// have hardly moved through the narrow skin.
 constexpr double kThinnest = 0.05, kWidest = 1.0;
 constexpr double kNarrowestBeyond = 0.5, kWidestBeyond = 4.0;
-constexpr int64_t kFewestSteps = 50, kMostSteps = 2000;
+constexpr int64_t kRenewalsToChoose = 3, kFewestSteps = 200, kMostSteps = 2000;
 
 // What the parts cost, in nanoseconds on the machine they were measured on; their ratios are what
 // counts. A close pair is gathered and its closest points found, every step; a refresh of the close
@@ -82,7 +84,7 @@ bool CloseRodPairs::ghosts_stay() const
 bool CloseRodPairs::look(PairGran &pair, const std::vector<Capsule> &rods)
 {
   const double skin = skin_, list_skin = list_skin_;
-  const bool enough = work_.renewals > 0 && work_.steps >= kFewestSteps;
+  const bool enough = work_.renewals >= kRenewalsToChoose && work_.steps >= kFewestSteps;
   if (enough || work_.steps >= kMostSteps) choose_skins();
   if (list_skin_ != list_skin) return false;
 
@@ -92,7 +94,10 @@ bool CloseRodPairs::look(PairGran &pair, const std::vector<Capsule> &rods)
   const int owned = atom->nlocal;
   for (int i = 0; i < owned; i++) lasts &= follow(i, rods[i], all);
   for (const int i : tracked_ghosts()) lasts &= follow(i, rods[i], all);
-  if (!lasts || !ghosts_stay()) return false;
+  if (!lasts || !ghosts_stay()) {
+    if (!skins_are_tried_) widen_list();
+    return false;
+  }
   if (!any_moved_) return true;
   work_.looked_at += walk(pair);
   work_.walked += list_.pairs();
@@ -178,9 +183,18 @@ void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool
   counts_.close_skin = skin_;
 }
 
+// Until the skins are chosen for what they cost: a list of few pairs may as well be a wide one.
+void CloseRodPairs::widen_list()
+{
+  const double wanted = kPairsToBeginWith * atom->nlocal;
+  const double skin = (diameter_ + list_skin_) * wanted / std::max(1, list_.pairs()) - diameter_;
+  list_skin_ = std::clamp(skin, list_skin_, skin_ + kWidestBeyond * diameter_);
+}
+
 // Changes of less than a tenth are not worth it.
 void CloseRodPairs::choose_skins()
 {
+  skins_are_tried_ = true;
   const double walk_cost = kWalkCost * static_cast<double>(work_.walked);
   const double refresh_cost = walk_cost + kLookCost * static_cast<double>(work_.looked_at);
   const double test_cost = kTestCost * static_cast<double>(work_.tested);

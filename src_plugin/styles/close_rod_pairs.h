@@ -66,6 +66,7 @@ class CloseRodPairs : protected Pointers {
  private:
   RodPairList list_;
   bool skin_is_chosen_ = true;
+  bool skins_are_tried_ = false;  // long enough to choose others
   double diameter_ = 0.0;                 // of the thickest rod (m)
   double skin_ = 0.0, list_skin_ = 0.0;   // m
   std::vector<spherocylinder::Capsule> reference_;      // of the close pairs
@@ -87,6 +88,7 @@ class CloseRodPairs : protected Pointers {
   int64_t walk(PairGran &pair);
   void count_step();
   bool is_close(int i, int j) const;
+  void widen_list();
   void choose_skins();
   bool ghosts_stay() const;
   static double twice_shift_squared(const spherocylinder::Segment &now,

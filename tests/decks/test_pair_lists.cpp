@@ -101,6 +101,7 @@ Scene gas()
   gas.shortest = 0.3;
   gas.volume_fraction = 0.06;
   Scene scene = scene_of(gas);
+  scene.skin = 0.08;  // LIGGGHTS seldom builds its lists
   scene.dt = shortest_contact(gas) / 40.0;
   scene.steps = 6000;
   scene.dump_every = 40;  // each contact is seen
