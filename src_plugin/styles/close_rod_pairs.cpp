@@ -6,6 +6,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "core/rotation.h"
 #include "core/skin.h"
 #include "neigh_list.h"
 #include "pair_gran.h"
@@ -17,8 +18,10 @@ namespace {
 
 // Skins to begin with, in diameters of the thickest rod.
 constexpr double kFirstSkin = 0.3;
-constexpr double kFirstListSkin = 1.5;
-// Where chosen: bounds, and when: after so many renewals, which take some steps, or steps.
+constexpr double kFirstListSkin = 1.0;
+constexpr double kPairsToBeginWith = 8.0;  // of a rod's own half, in the list
+// Where chosen: bounds, and when: after so many renewals, which take some steps, or steps. In fewer, rods
+// have hardly moved through the narrow skin.
 constexpr double kThinnest = 0.05, kWidest = 1.0;
 constexpr double kNarrowestBeyond = 0.5, kWidestBeyond = 4.0;
 constexpr int64_t kRenewalsToChoose = 3, kFewestSteps = 200, kMostSteps = 2000;
@@ -42,37 +45,64 @@ void CloseRodPairs::reset(const PairGran &pair, double skin)
 }
 
 // Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about
-// the axis moves no surface. (a + b)^2 <= 2 a^2 + 2 b^2 saves the roots. `beyond`: the rod may use up
-// its half of the outer skin before it is looked at again.
-bool CloseRodPairs::mark_if_moved(int i, const Capsule &rod, bool &beyond)
+// the axis moves no surface. (a + b)^2 <= 2 a^2 + 2 b^2 saves the roots.
+double CloseRodPairs::twice_shift_squared(const Segment &now, const Segment &then)
 {
-  const auto twice_shift_squared = [](const Segment &now, const Segment &then) {
-    return 2.0 * (norm_squared(now.centre - then.centre) +
-                  now.half_length * now.half_length * norm_squared(now.axis - then.axis));
-  };
-  const double half = 0.5 * skin_;
-  moved_[i] = twice_shift_squared(rod.segment, reference_[i].segment) > half * half;
-  if (!moved_[i]) return false;
+  return 2.0 * (norm_squared(now.centre - then.centre) +
+                now.half_length * now.half_length * norm_squared(now.axis - then.axis));
+}
+
+// Gives a rod that has moved through its half of the skin a new reference pose, or any rod (`all`). False
+// if it may use up its half of the outer skin before it is looked at again.
+bool CloseRodPairs::follow(int i, const Capsule &rod, bool all)
+{
+  const double half = 0.5 * skin_, rest = 0.5 * (list_skin_ - skin_);
+  moved_[i] = all || twice_shift_squared(rod.segment, reference_[i].segment) > half * half;
+  if (!moved_[i]) return true;
+  any_moved_ = true;
   reference_[i] = rod;
-  const double rest = 0.5 * (list_skin_ - skin_);
-  beyond |= twice_shift_squared(rod.segment, list_reference_[i]) > rest * rest;
-  return true;
+  return twice_shift_squared(rod.segment, list_reference_[i]) <= rest * rest;
+}
+
+// False if a ghost may have used up its half of the outer skin. Of ghosts that are in no listed pair
+// only this must be known; that of the others is one loop over LIGGGHTS's arrays.
+bool CloseRodPairs::ghosts_stay() const
+{
+  if (comm->nprocs == 1) return true;
+  const int owned = atom->nlocal;
+  double farthest = 0.0;
+  for (int i = owned; i < owned + atom->nghost; i++) {
+    const Segment &then = list_reference_[i];
+    const Segment now = {load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
+                         then.half_length};
+    farthest = std::max(farthest, twice_shift_squared(now, then));
+  }
+  return farthest <= 0.25 * list_skin_ * list_skin_;
 }
 
 // False if the outer list has to be renewed.
 bool CloseRodPairs::look(PairGran &pair, const std::vector<Capsule> &rods)
 {
-  bool any = false, beyond = false;
-  const int owned = atom->nlocal;
-  for (int i = 0; i < owned; i++) any |= mark_if_moved(i, rods[i], beyond);
-  for (const int i : tracked_ghosts_) any |= mark_if_moved(i, rods[i], beyond);
-  if (beyond) return false;
+  const double skin = skin_, list_skin = list_skin_;
   const bool enough = work_.renewals >= kRenewalsToChoose && work_.steps >= kFewestSteps;
-  if ((enough || work_.steps >= kMostSteps) && choose_skins()) return false;
-  if (!any) return true;
+  if (enough || work_.steps >= kMostSteps) choose_skins();
+  if (list_skin_ != list_skin) return false;
+
+  const bool all = skin_ != skin;
+  bool lasts = true;
+  any_moved_ = false;
+  const int owned = atom->nlocal;
+  for (int i = 0; i < owned; i++) lasts &= follow(i, rods[i], all);
+  for (const int i : tracked_ghosts()) lasts &= follow(i, rods[i], all);
+  if (!lasts || !ghosts_stay()) {
+    if (!skins_are_tried_) widen_list();
+    return false;
+  }
+  if (!any_moved_) return true;
   work_.looked_at += walk(pair);
   work_.walked += list_.pairs();
   counts_.refreshes++;
+  counts_.close_skin = skin_;
   return true;
 }
 
@@ -133,12 +163,6 @@ void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool
   list_skin_ = std::max(list_skin_, skin_ + kNarrowestBeyond * diameter_);
 
   list_.renew(pair, rods, list_skin_, migrated);
-  if (comm->nprocs == 1) {
-    tracked_ghosts_ = list_.ghosts();
-  } else {
-    tracked_ghosts_.resize(atom->nghost);
-    for (int k = 0; k < atom->nghost; k++) tracked_ghosts_[k] = atom->nlocal + k;
-  }
 
   reference_ = rods;
   list_reference_.resize(rods.size());
@@ -159,9 +183,18 @@ void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool
   counts_.close_skin = skin_;
 }
 
-// True if a skin is to change by more than a tenth.
-bool CloseRodPairs::choose_skins()
+// Until the skins are chosen for what they cost: a list of few pairs may as well be a wide one.
+void CloseRodPairs::widen_list()
 {
+  const double wanted = kPairsToBeginWith * atom->nlocal;
+  const double skin = (diameter_ + list_skin_) * wanted / std::max(1, list_.pairs()) - diameter_;
+  list_skin_ = std::clamp(skin, list_skin_, skin_ + kWidestBeyond * diameter_);
+}
+
+// Changes of less than a tenth are not worth it.
+void CloseRodPairs::choose_skins()
+{
+  skins_are_tried_ = true;
   const double walk_cost = kWalkCost * static_cast<double>(work_.walked);
   const double refresh_cost = walk_cost + kLookCost * static_cast<double>(work_.looked_at);
   const double test_cost = kTestCost * static_cast<double>(work_.tested);
@@ -176,9 +209,7 @@ bool CloseRodPairs::choose_skins()
   const double list_skin =
       std::clamp(better_skin(list_skin_, skin_, diameter_, refresh_cost, renewal_cost),
                  skin + kNarrowestBeyond * diameter_, skin + kWidestBeyond * diameter_);
-  if (std::fabs(skin - skin_) <= 0.1 * skin_ && std::fabs(list_skin - list_skin_) <= 0.1 * list_skin_)
-    return false;
-  skin_ = skin;
-  list_skin_ = list_skin;
-  return true;
+  if (std::fabs(skin - skin_) > 0.1 * skin_) skin_ = skin;
+  if (std::fabs(list_skin - list_skin_) > 0.1 * list_skin_) list_skin_ = list_skin;
+  list_skin_ = std::max(list_skin_, skin_ + kNarrowestBeyond * diameter_);
 }

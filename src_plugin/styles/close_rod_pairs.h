@@ -57,21 +57,22 @@ class CloseRodPairs : protected Pointers {
 
   const std::vector<Entry> &entries() const { return entries_; }
 
-  // Ghosts whose poses matter between two renewals. Of the others, one rank alone may know nothing:
-  // they are images of its own rods, whose movement it sees.
-  const std::vector<int> &tracked_ghosts() const { return tracked_ghosts_; }
+  // Ghosts in some listed pair: of others only this need be known, that they do not come near. One
+  // rank alone knows it of its own rods, whose images they are.
+  const std::vector<int> &tracked_ghosts() const { return list_.ghosts(); }
 
   RodPairCounts &counts() { return counts_; }
 
  private:
   RodPairList list_;
   bool skin_is_chosen_ = true;
+  bool skins_are_tried_ = false;  // long enough to choose others
   double diameter_ = 0.0;                 // of the thickest rod (m)
   double skin_ = 0.0, list_skin_ = 0.0;   // m
   std::vector<spherocylinder::Capsule> reference_;      // of the close pairs
   std::vector<spherocylinder::Segment> list_reference_;  // of the outer list
   std::vector<char> moved_;
-  std::vector<int> tracked_ghosts_;
+  bool any_moved_ = false;
   std::vector<Entry> entries_, next_entries_;
   RodPairCounts counts_;
 
@@ -82,12 +83,16 @@ class CloseRodPairs : protected Pointers {
   } work_;
 
   bool look(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);
-  bool mark_if_moved(int i, const spherocylinder::Capsule &rod, bool &beyond);
+  bool follow(int i, const spherocylinder::Capsule &rod, bool all);
   void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, bool migrated);
   int64_t walk(PairGran &pair);
   void count_step();
   bool is_close(int i, int j) const;
-  bool choose_skins();
+  void widen_list();
+  void choose_skins();
+  bool ghosts_stay() const;
+  static double twice_shift_squared(const spherocylinder::Segment &now,
+                                    const spherocylinder::Segment &then);
 };
 
 }  // namespace LAMMPS_NS

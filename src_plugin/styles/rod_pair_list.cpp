@@ -106,7 +106,7 @@ void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, double
   const int owned = neighbor->includegroup ? atom->nfirst : atom->nlocal;
   near_.find(rods, owned, gap);
 
-  std::swap(now_, before_);
+  if (!migrated) std::swap(now_, before_);  // else nothing of the old list is asked for
   now_.first.resize(owned + 1);
   now_.partners.clear();
   for (int i = 0; i < owned; i++) {

@@ -101,6 +101,7 @@ Scene gas()
   gas.shortest = 0.3;
   gas.volume_fraction = 0.06;
   Scene scene = scene_of(gas);
+  scene.skin = 0.08;  // LIGGGHTS seldom builds its lists
   scene.dt = shortest_contact(gas) / 40.0;
   scene.steps = 6000;
   scene.dump_every = 40;  // each contact is seen
@@ -180,6 +181,40 @@ TEST(PairLists, AreCompleteOnTwoRanks)
                                        two.frames[f].rods[k].position));
   EXPECT_LT(largest, 1e-12);
   EXPECT_GT(collisions(one.frames), 20.0);
+}
+
+// Rods at rest beside the cut at x = 0, met by rods of the other rank that were in no list: one flies
+// in, one turns. The first rank moves nothing by itself and must see them come.
+TEST(PairLists, SeeGhostsComeToRodsAtRest)
+{
+  Scene scene;
+  const auto add = [&](const Vec3 &position, const Vec3 &axis, const Vec3 &velocity,
+                       const Vec3 &omega) {
+    Rod rod;
+    rod.position = position;
+    rod.axis = axis;
+    rod.velocity = velocity;
+    rod.omega = omega;
+    scene.rods.push_back(rod);
+  };
+  const Vec3 none = {0.0, 0.0, 0.0}, x = {1.0, 0.0, 0.0}, y = {0.0, 1.0, 0.0};
+  add({-0.02, 0.0, 0.5}, y, none, none);
+  add({0.05, 0.01, 0.5}, y, {-2.0, 0.0, 0.0}, none);
+  add({-0.02, 0.0, -0.5}, y, none, none);
+  add({0.011, -0.08, -0.5}, x, none, {0.0, 0.0, -40.0});
+  scene.skin = 0.3;  // LIGGGHTS builds no list before they meet
+  scene.dt = 1e-5;
+  scene.steps = 4000;
+  scene.dump_every = 1000;
+  const Result one = run_with(scene, ""), two = run_with(scene, "", "", Mode::TwoRanks);
+  for (const Result *result : {&one, &two}) {
+    ASSERT_FALSE(result->frames.empty());
+    EXPECT_NE(result->output.find("Neighbor list builds = 0"), std::string::npos);
+    for (const size_t at_rest : {0, 2})
+      EXPECT_GT(norm(result->frames.back().rods[at_rest].velocity), 0.1) << "rod " << at_rest;
+  }
+  for (size_t k = 0; k < scene.rods.size(); k++)
+    EXPECT_LT(norm(one.frames.back().rods[k].position - two.frames.back().rods[k].position), 1e-12);
 }
 
 // neigh_modify exclude and include: LIGGGHTS's own words for pairs that are not to touch.
