@@ -52,9 +52,9 @@ int NearPairs::cubes_on(const Segment &segment) const
 
 void NearPairs::lay_grid(const std::vector<Capsule> &rods, int owned, double gap)
 {
-  double thickest = 0.0;
-  for (const Capsule &rod : rods) thickest = std::max(thickest, rod.radius);
-  const double reach = 2.0 * thickest + gap;
+  double mean_radius = 0.0;
+  for (int i = 0; i < owned; i++) mean_radius += rods[i].radius / owned;
+  const double reach = 2.0 * mean_radius + gap;
   spacing_ = 0.5 * reach;
 
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

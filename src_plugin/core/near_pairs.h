@@ -18,8 +18,8 @@ namespace spherocylinder {
 // No rod is overlooked: where the axes are nearer than r_i + r_j + gap, the point between their
 // closest points at r_i + gap/2 from the axis of i, at most r_j + gap/2 from that of j, lies in a cell
 // of both. Each tube is covered by cubes centred on points of the axis no more than `spacing` apart;
-// the edge of i's cubes is 2 r_i + gap + spacing, and that of a cell is at least as long, so
-// that a cube touches eight cells at most.
+// the edge of i's cubes is 2 r_i + gap + spacing. Cells are as wide for a rod of the mean radius, whose
+// cubes so touch eight at most; a thick rod among thin ones is entered in more.
 class NearPairs {
  public:
   // Finds all pairs (i, j), i < owned and i < j, whose surfaces are nearer than `gap` >= 0 (m). Rods

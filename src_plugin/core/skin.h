@@ -18,7 +18,7 @@ inline double better_skin(double skin, double least, double diameter, double per
 {
   const double free = skin - least;
   const double a = per_pair / (diameter + skin), b = per_move * free;
-  if (a == 0.0) return b == 0.0 ? skin : skin + free;
+  if (!(a > 0.0)) return b > 0.0 ? skin + free : skin;
   return least + std::clamp(std::sqrt(b / a), 0.5 * free, 2.0 * free);
 }
 

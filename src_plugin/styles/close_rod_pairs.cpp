@@ -9,6 +9,7 @@
 #include "core/rotation.h"
 #include "core/skin.h"
 #include "neigh_list.h"
+#include "neighbor.h"
 #include "pair_gran.h"
 
 using namespace LAMMPS_NS;
@@ -16,7 +17,7 @@ using namespace spherocylinder;
 
 namespace {
 
-// Skins to begin with, in diameters of the thickest rod.
+// Skins to begin with, in mean diameters.
 constexpr double kFirstSkin = 0.3;
 constexpr double kFirstListSkin = 1.0;
 constexpr double kPairsToBeginWith = 8.0;  // of a rod's own half, in the list
@@ -40,8 +41,17 @@ void CloseRodPairs::reset(const PairGran &pair, double skin)
   list_.take_over(pair);
   counts_ = RodPairCounts();
   work_ = Work();
+  seen_builds_ = -1;
   skin_is_chosen_ = skin == 0.0;
   if (!skin_is_chosen_) skin_ = skin;
+}
+
+// neighbor->ago is 0 in a second step, too, if a run goes on with `pre no` after a step that built.
+bool CloseRodPairs::have_rods_migrated()
+{
+  const bool migrated = neighbor->ago == 0 && neighbor->ncalls != seen_builds_;
+  seen_builds_ = neighbor->ncalls;
+  return migrated;
 }
 
 // Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about
@@ -155,7 +165,7 @@ int64_t CloseRodPairs::walk(PairGran &pair)
 void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool migrated)
 {
   diameter_ = 0.0;
-  for (const Capsule &rod : rods) diameter_ = std::max(diameter_, 2.0 * rod.radius);
+  for (const Capsule &rod : rods) diameter_ += 2.0 * rod.radius / static_cast<double>(rods.size());
   if (list_skin_ == 0.0) {
     if (skin_is_chosen_) skin_ = kFirstSkin * diameter_;
     list_skin_ = kFirstListSkin * diameter_;
@@ -188,7 +198,7 @@ void CloseRodPairs::widen_list()
 {
   const double wanted = kPairsToBeginWith * atom->nlocal;
   const double skin = (diameter_ + list_skin_) * wanted / std::max(1, list_.pairs()) - diameter_;
-  list_skin_ = std::clamp(skin, list_skin_, skin_ + kWidestBeyond * diameter_);
+  list_skin_ = std::max(list_skin_, std::min(skin, skin_ + kWidestBeyond * diameter_));
 }
 
 // Changes of less than a tenth are not worth it.

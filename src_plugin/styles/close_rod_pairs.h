@@ -41,8 +41,12 @@ class CloseRodPairs : protected Pointers {
   // At the start of a run, when the pair style has asked for its lists. `skin`: of the close pairs (m), 0: to be chosen from what it costs.
   void reset(const PairGran &pair, double skin);
 
+  // Once a step: whether LIGGGHTS has moved rods between ranks and chosen ghosts anew since the step
+  // before, and histories are with their rods.
+  bool have_rods_migrated();
+
   // Brings both lists up to date; `read(all)` is asked for the present poses in `rods`, of all rods or
-  // only of tracked ones. `migrated`: LIGGGHTS has moved rods between ranks and chosen ghosts anew.
+  // only of tracked ones. `migrated`: as have_rods_migrated says.
   template <typename Read>
   void update(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, bool migrated,
               Read read)
@@ -67,7 +71,8 @@ class CloseRodPairs : protected Pointers {
   RodPairList list_;
   bool skin_is_chosen_ = true;
   bool skins_are_tried_ = false;  // long enough to choose others
-  double diameter_ = 0.0;                 // of the thickest rod (m)
+  bigint seen_builds_ = -1;               // of LIGGGHTS's lists, in this run
+  double diameter_ = 0.0;                 // mean of all rods at hand (m)
   double skin_ = 0.0, list_skin_ = 0.0;   // m
   std::vector<spherocylinder::Capsule> reference_;      // of the close pairs
   std::vector<spherocylinder::Segment> list_reference_;  // of the outer list

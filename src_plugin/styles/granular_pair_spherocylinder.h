@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <vector>
 
@@ -14,7 +13,6 @@
 #include "comm.h"
 #include "compute_gran_local_spherocylinder.h"
 #include "core/contact_kinematics.h"
-#include "fix_contact_property_atom.h"
 #include "force.h"
 #include "granular_pair_style.h"
 #include "linear_pair_forces.h"
@@ -57,7 +55,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     Settings settings(lmp);
     model_.registerSettings(settings);
     settings.registerOnOff("spread_contact", spread_contact_, true);
-    std::vector<char *> others = take_close_skin(nargs, args);
+    std::vector<char *> others = args_without_close_skin(lmp, nargs, args, close_skin_);
     const int n_others = static_cast<int>(others.size());
     const bool understood = settings.parseArguments(n_others, others.data());
     model_.postSettings(hsetup);
@@ -74,6 +72,10 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     AtomVecSpherocylinder &rods = rods_of(lmp, "Pair gran with surface spherocylinder");
     if (force->newton_pair)
       rod_error_all(lmp, "Pair gran with surface spherocylinder requires newton off (got newton on)");
+    if (parent_->storeContactForces() || parent_->storeContactForcesStress())
+      rod_error_all(lmp,
+                    "Pair gran with surface spherocylinder stores no contact forces, as fix "
+                    "continuum/weighted wants them (expected compute pair/gran/local)");
     model_.connectToProperties(force->registry);
     side_offset_ = model_.get_history_offset("rod_normal");
     spring_offset_ = history_offset("shearx");
@@ -137,7 +139,6 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   TouchingRodPairs touching_pairs_;
   using Touch = TouchingRodPairs::Touch;
 
-  std::vector<char *> take_close_skin(int nargs, char **args);
   int history_offset(const std::string &name) const;
   void read_rod(int i);
   void read_rods(bool all);
@@ -147,31 +148,8 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
                     ComputeGranLocalSpherocylinder *local);
   void turn_spring(const SurfacesIntersectData &sidata) const;
   void separate(SurfacesIntersectData &sidata, ForceData &i_forces, ForceData &j_forces);
-  void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces,
-              ForceData &j_forces) const;
+  void report(PairGran &pair, SurfacesIntersectData &sidata, ForceData &i_forces) const;
 };
-
-// Reads the keyword close_skin, whose value is a length (m) or `auto`; returns the other arguments.
-template <typename ContactModel>
-std::vector<char *> GranularSpherocylinder<ContactModel>::take_close_skin(int nargs, char **args)
-{
-  std::vector<char *> others;
-  close_skin_ = 0.0;
-  for (int k = 0; k < nargs; k++) {
-    if (strcmp(args[k], "close_skin") != 0) {
-      others.push_back(args[k]);
-      continue;
-    }
-    const char *value = ++k < nargs ? args[k] : "nothing";
-    if (strcmp(value, "auto") == 0) continue;
-    char *end = nullptr;
-    close_skin_ = strtod(value, &end);
-    if (*end != '\0' || !(close_skin_ > 0.0) || !std::isfinite(close_skin_))
-      rod_error_all(lmp, "Pair gran with surface spherocylinder: close_skin must be auto or a length > 0 "
-                         "(got %s)", value);
-  }
-  return others;
-}
 
 // Where the models keep a value of this name; the stock ones do not all tell.
 template <typename ContactModel>
@@ -266,7 +244,7 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   else
     pair->evflag = pair->vflag_fdotr = 0;
 
-  const bool migrated = neighbor->ago == 0;
+  const bool migrated = close_pairs_.have_rods_migrated();
   close_pairs_.update(*pair, rods_, migrated, [this](bool all) { read_rods(all); });
   if (migrated) read_masses(pair->freeze_group_bit());
   int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
@@ -282,8 +260,6 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   else
     compute_each(*pair, first_flags, first_history, local);
 
-  if (pair->storeContactForces()) pair->fix_contact_forces()->do_forward_comm();
-  if (pair->storeContactForcesStress()) pair->fix_contact_forces_stress()->do_forward_comm();
 }
 
 // Whether something in this step asks for more than forces and torques.
@@ -291,8 +267,7 @@ template <typename ContactModel>
 bool GranularSpherocylinder<ContactModel>::single_contacts_wanted(PairGran &pair) const
 {
   return pair.evflag || !pair.computeflag() || !pair.shearupdate() || monitor_.rates() ||
-         pair.store_sum_normal_force() || pair.storeContactForces() ||
-         pair.storeContactForcesStress();
+         pair.store_sum_normal_force();
 }
 
 // Any models, one contact after the other.
@@ -394,7 +369,7 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
       add_contact_load(f[i], torque[i], pair.relax(i), i_forces);
       if (j < nlocal) add_contact_load(f[j], torque[j], pair.relax(j), j_forces);
     }
-    report(pair, sidata, i_forces, j_forces);
+    report(pair, sidata, i_forces);
     if (local)
       local->add_pair_contact(sidata, i_forces,
                               rod_i.segment.centre + arm_i - sidata.cri * normal);
@@ -406,8 +381,7 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
 // Hands the contact to whatever stock command has asked for it.
 template <typename ContactModel>
 void GranularSpherocylinder<ContactModel>::report(PairGran &pair, SurfacesIntersectData &sidata,
-                                                  ForceData &i_forces,
-                                                  ForceData &j_forces) const
+                                                  ForceData &i_forces) const
 {
   const int i = sidata.i, j = sidata.j, nlocal = atom->nlocal;
 
@@ -424,29 +398,6 @@ void GranularSpherocylinder<ContactModel>::report(PairGran &pair, SurfacesInters
     pair.ev_tally_xyz(i, j, nlocal, force->newton_pair, 0.0, 0.0, i_forces.delta_F[0],
                       i_forces.delta_F[1], i_forces.delta_F[2], between[0], between[1],
                       between[2]);
-  }
-  if (pair.storeContactForces() && update->ntimestep % pair.storeContactForcesEvery() == 0) {
-    const auto keep = [&](int a, int b, const ForceData &forces) {
-      if (pair.fix_contact_forces()->has_partner(a, atom->tag[b]) != -1) return;
-      double row[6];
-      for (int d = 0; d < 3; d++) {
-        row[d] = forces.delta_F[d];
-        row[3 + d] = forces.delta_torque[d];
-      }
-      pair.fix_contact_forces()->add_partner(a, atom->tag[b], row);
-    };
-    keep(i, j, i_forces);
-    keep(j, i, j_forces);
-  }
-  if (pair.storeContactForcesStress()) {
-    const auto keep = [&](int a, int b, const ForceData &forces) {
-      if (pair.fix_contact_forces_stress()->has_partner(a, atom->tag[b]) != -1) return;
-      double row[4] = {forces.delta_F[0], forces.delta_F[1], forces.delta_F[2],
-                       static_cast<double>(b)};
-      pair.fix_contact_forces_stress()->add_partner(a, atom->tag[b], row);
-    };
-    keep(i, j, i_forces);
-    keep(j, i, j_forces);
   }
 }
 

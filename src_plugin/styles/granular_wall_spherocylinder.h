@@ -42,16 +42,20 @@ class GranularSpherocylinder : private Pointers, public RodWall {
                     "Fix wall/gran (id %s): surface spherocylinder cannot use a mesh; rods know "
                     "planes and the inside of cylinders (primitive)",
                     parent_->id);
+    // A wall may be given the pair style's keywords.
+    bool spread_contact = true;
+    double close_skin = 0.0;
+    std::vector<char *> others = args_without_close_skin(lmp, nargs, args, close_skin);
+    const int n_others = static_cast<int>(others.size());
     for (ContactModel &model : models_) {
       Settings settings(lmp);
       model.registerSettings(settings);
-      bool spread_contact = true;  // so that a wall can be given the pair style's keywords
       settings.registerOnOff("spread_contact", spread_contact, true);
-      const bool understood = settings.parseArguments(nargs, args);
+      const bool understood = settings.parseArguments(n_others, others.data());
       model.postSettings(hsetup);
       if (!understood) error->fix_error(FLERR, parent_, settings.error_message.c_str());
     }
-    batched_ = BatchedLinear<ContactModel>::value && linear_.values().understand(nargs, args);
+    batched_ = BatchedLinear<ContactModel>::value && linear_.values().understand(n_others, others.data());
   }
 
   void init_granular() override

@@ -14,10 +14,10 @@ using namespace spherocylinder;
 namespace {
 
 // Skin in diameters of the thickest rod at hand. A wider one is renewed less often and holds more
-// rods: in settled beds a fifth more than touch are within 0.3 diameters, a third more within 0.5.
+// rods: in the settled bed of aspect ratio 30 half as many again as touch.
 constexpr double kSkinInDiameters = 0.5;
 
-const AtomVecSpherocylinder &rods_of(const Atom &atom)
+const AtomVecSpherocylinder &style_of(const Atom &atom)
 {
   return static_cast<const AtomVecSpherocylinder &>(*atom.avec);
 }
@@ -37,7 +37,7 @@ double NearWallRods::fastest_end(const WallSurface &surface) const
 
 bool NearWallRods::is_near(const WallSurface &surface, int i) const
 {
-  const Capsule rod = rods_of(*atom).capsule(i);
+  const Capsule rod = style_of(*atom).capsule(i);
   if (surface.gap_of_sphere(rod.segment.centre, atom->radius[i]) > skin_) return false;
   const RodEnds ends = surface.ends_of(rod);
   return ends.count == 0 || ends.touch(rod.radius + skin_);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -109,6 +110,27 @@ AtomVecSpherocylinder &LAMMPS_NS::rods_of(LAMMPS *lmp, const char *who)
     rod_error_all(lmp, "%s requires atom_style spherocylinder (got %s)", who,
                   lmp->atom->atom_style);
   return *rods;
+}
+
+std::vector<char *> LAMMPS_NS::args_without_close_skin(LAMMPS *lmp, int nargs, char **args,
+                                                       double &close_skin)
+{
+  std::vector<char *> others;
+  close_skin = 0.0;
+  for (int k = 0; k < nargs; k++) {
+    if (strcmp(args[k], "close_skin") != 0) {
+      others.push_back(args[k]);
+      continue;
+    }
+    const char *value = ++k < nargs ? args[k] : "nothing";
+    if (strcmp(value, "auto") == 0) continue;
+    char *end = nullptr;
+    close_skin = strtod(value, &end);
+    if (*end != '\0' || !(close_skin > 0.0) || !std::isfinite(close_skin))
+      rod_error_all(lmp,
+                    "Surface spherocylinder: close_skin must be auto or a length > 0 (got %s)", value);
+  }
+  return others;
 }
 
 void LAMMPS_NS::check_atom_style_is_alone(LAMMPS *lmp)

@@ -3,6 +3,8 @@
 // that says who, what, the value seen and the value wanted.
 #pragma once
 
+#include <vector>
+
 namespace LAMMPS_NS {
 
 class AtomVecSpherocylinder;
@@ -18,6 +20,11 @@ void rod_warning(LAMMPS *lmp, const char *format, ...) __attribute__((format(pri
 
 // The rods' atom style, or an error that names `who` if the simulation has another one.
 AtomVecSpherocylinder &rods_of(LAMMPS *lmp, const char *who);
+
+// Arguments of a pair style or wall without the keyword close_skin, whose value, a length (m) or `auto`
+// (0), goes to close_skin.
+std::vector<char *> args_without_close_skin(LAMMPS *lmp, int nargs, char **args,
+                                            double &close_skin);
 
 void check_atom_style_is_alone(LAMMPS *lmp);
 

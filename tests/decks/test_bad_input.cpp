@@ -280,6 +280,10 @@ INSTANTIATE_TEST_SUITE_P(
                  {"surface spherocylinder\npair_coeff",
                   "surface spherocylinder close_skin\npair_coeff"},
                  {"close_skin must be auto or a length > 0", "got nothing"}},
+        BadInput{"ContactForcesStored",
+                 {"", "fix mean all continuum/weighted kernel_radius 0.1 kernel_type Wendland "
+                      "compute stress"},
+                 {"stores no contact forces", "continuum/weighted", "compute pair/gran/local"}},
         BadInput{"AtomStyleWithArguments",
                  {"atom_style spherocylinder", "atom_style spherocylinder 10"},
                  {"atom_style spherocylinder", "no arguments"}},

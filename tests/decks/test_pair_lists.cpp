@@ -152,6 +152,7 @@ TEST(PairLists, DoNotChangeTheMotion)
   EXPECT_GT(collisions(chosen.frames), 60.0);
   EXPECT_EQ(different(wide.frames, chosen.frames), 0);
   EXPECT_EQ(different(thin.frames, chosen.frames), 0);
+  EXPECT_NE(chosen.report.close_skin, 0.003);  // the first one, 0.3 diameters
   EXPECT_EQ(wide.report.close_skin, 0.02);
   EXPECT_EQ(thin.report.close_skin, 1e-5);
   EXPECT_GT(thin.report.refreshes, 5000);
@@ -217,7 +218,7 @@ TEST(PairLists, SeeGhostsComeToRodsAtRest)
     EXPECT_LT(norm(one.frames.back().rods[k].position - two.frames.back().rods[k].position), 1e-12);
 }
 
-// neigh_modify exclude and include: LIGGGHTS's own words for pairs that are not to touch.
+// neigh_modify exclude: LIGGGHTS's own words for pairs that are not to touch.
 TEST(PairLists, LeaveOutWhatTheDeckExcludes)
 {
   Scene scene = heap();
@@ -242,6 +243,25 @@ TEST(PairLists, LeaveOutWhatTheDeckExcludes)
   const long of_group = excluded("group two type 2\nneigh_modify exclude group two two");
   EXPECT_EQ(of_group, touching([](int a, int b) { return a != 2 || b != 2; }));
   EXPECT_LT(apart, touching([](int, int) { return true; }));
+}
+
+// A stone among sand: what the lists hold of the sand does not grow with the stone.
+TEST(PairLists, OfThinRodsIgnoreAThickOne)
+{
+  Scene scene = heap();
+  for (Rod &rod : scene.rods) {
+    rod.length *= 0.1;
+    rod.diameter *= 0.1;
+    rod.position = 0.1 * rod.position;
+  }
+  const Report without = run_with(scene, "").report;
+  Rod stone;
+  stone.diameter = stone.length = 0.3;
+  stone.position = {0.0, 0.0, 0.6};
+  scene.rods.push_back(stone);
+  const Report with = run_with(scene, "").report;
+  EXPECT_GT(without.listed, 10);
+  EXPECT_LT(with.listed, 8 * without.listed);  // with skins 1.5 to 3 times as wide
 }
 
 // LIGGGHTS's lists hold 2,000 neighbours of a rod unless the deck allows more.

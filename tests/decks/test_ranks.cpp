@@ -411,6 +411,11 @@ TEST(RanksErrors, Balance)
   for (const auto &[command, says] : wrong)
     expect_error(scene, {1, 1, 1}, command + "\nrun 1\n", {says});
 
+  expect_error(scene, {1, 1, 1},
+               "run 0\nwrite_restart half\nclear\n" + preamble(scene) +
+                   "read_restart half\nbalance 1.1 shift z 10 1.1\n",
+               {"between read_restart and the first run"});
+
   Scene thin = scene;
   box(thin, 0.1, 1.0, 1.0);
   thin.skin = 0.06;

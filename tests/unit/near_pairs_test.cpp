@@ -107,6 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bed{"ShortRods", 3.0, 4.0, 1.0, false, false},
                     Bed{"LongRods", 30.0, 1.2, 1.0, false, false},
                     Bed{"NeedlesAndSpheres", 100.0, 0.6, 0.2, true, false},
+                    Bed{"SandAndStones", 10.0, 1.5, 0.01, true, false},
                     Bed{"LatticeOfRods", 10.0, 1.5, 1.0, false, true}),
     [](const auto &info) { return std::string(info.param.name); });
 
@@ -168,4 +169,8 @@ TEST(Skin, ConvergesToTheCheapest)
   }
 }
 
-TEST(Skin, StaysWhereNothingWasDone) { EXPECT_EQ(better_skin(0.4, 0.1, 1.0, 0.0, 0.0), 0.4); }
+TEST(Skin, StaysWhereNothingWasDone)
+{
+  EXPECT_EQ(better_skin(0.4, 0.1, 1.0, 0.0, 0.0), 0.4);
+  EXPECT_EQ(better_skin(0.0, 0.0, 0.0, 0.0, 0.0), 0.0);  // no rods
+}
