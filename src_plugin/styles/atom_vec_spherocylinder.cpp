@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "atom_vec_spherocylinder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -22,7 +23,9 @@ namespace sc = spherocylinder;
 
 namespace {
 
-constexpr int kGrowBy = 10000;  // atoms per enlargement, as in LIGGGHTS's own styles
+// Arrays that are full grow by half, at least by this many rods: LIGGGHTS's rows of pointers are written
+// for rods to come, too.
+constexpr int kGrowBy = 1024;
 
 // A data file's axis may be off unit length by what printing six digits costs, no more.
 constexpr double kAxisTolerance = 1e-5;
@@ -87,7 +90,7 @@ void AtomVecSpherocylinder::init()
 
 void AtomVecSpherocylinder::grow(int n)
 {
-  nmax = n == 0 ? nmax + kGrowBy : n;
+  nmax = n == 0 ? nmax + std::max(kGrowBy, nmax / 2) : n;
   atom->nmax = nmax;
   if (nmax < 0) error->one(FLERR, "Per-processor system is too big");
 
