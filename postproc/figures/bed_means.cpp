@@ -10,6 +10,7 @@
 
 #include "analysis/csv_table.h"
 #include "analysis/input_error.h"
+#include "analysis/mean_with_error.h"
 
 namespace spherocylinder {
 namespace {
@@ -71,15 +72,6 @@ struct OrientationBeds {
 
 }  // namespace
 
-MeanWithError mean_over_beds(const std::vector<double> &values)
-{
-  const double n = static_cast<double>(values.size());
-  double mean = 0.0, squares = 0.0;
-  for (const double value : values) mean += value / n;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return {mean, n > 1.0 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
-}
-
 std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
                                        const std::string &vf_column, const std::string &by)
 {
@@ -123,9 +115,9 @@ std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
   for (const std::string &group : groups)
     for (const PackingBeds &kind : kinds)
       if (kind.group == group)
-        means.push_back({group, kind.lambda, kind.vf.size(), mean_over_beds(kind.vf),
+        means.push_back({group, kind.lambda, kind.vf.size(), mean_of(kind.vf),
                          kind.sin_gamma.size() == kind.vf.size()
-                             ? mean_over_beds(kind.sin_gamma)
+                             ? mean_of(kind.sin_gamma)
                              : MeanWithError{none, none}});
   return means;
 }
@@ -174,7 +166,7 @@ std::vector<OrientationMean> orientation_means(const std::vector<std::string> &f
             fmt::format("the bin from {:.4g} to {:.4g} degrees is in {} of {} beds, wanted the "
                         "same bins in all",
                         bin.low, bin.high, bin.densities.size(), kind.beds.size()));
-      MeanWithError density = mean_over_beds(bin.densities);
+      MeanWithError density = mean_of(bin.densities);
       if (kind.beds.size() == 1) density.error = bin.error;
       mean.bins.push_back({bin.low, bin.high, density,
                            bin.scatter / std::sqrt(static_cast<double>(kind.beds.size()))});

@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/orientation_statistics.h"
+#include "analysis/mean_with_error.h"
 
 namespace spherocylinder {
-
-// Mean and its standard error over independent values; the error is 0 for a single one.
-MeanWithError mean_over_beds(const std::vector<double> &values);
 
 struct PackingMean {
   std::string group;  // text of the grouping column, empty without one

@@ -62,8 +62,8 @@ double CloseRodPairs::twice_shift_squared(const Segment &now, const Segment &the
                 now.half_length * now.half_length * norm_squared(now.axis - then.axis));
 }
 
-// Gives a rod that has moved through its half of the skin a new reference pose, or any rod (`all`). False
-// if it may use up its half of the outer skin before it is looked at again.
+// Gives a rod that has moved through half the skin, or any rod (`all`), a new reference pose. False if it
+// may move through half the outer skin before it gets another.
 bool CloseRodPairs::follow(int i, const Capsule &rod, bool all)
 {
   const double half = 0.5 * skin_, rest = 0.5 * (list_skin_ - skin_);

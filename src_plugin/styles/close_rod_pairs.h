@@ -38,7 +38,8 @@ class CloseRodPairs : protected Pointers {
 
   explicit CloseRodPairs(LAMMPS *lmp) : Pointers(lmp), list_(lmp) {}
 
-  // At the start of a run, when the pair style has asked for its lists. `skin`: of the close pairs (m), 0: to be chosen from what it costs.
+  // At the start of a run, when the pair style has asked for its lists. `skin`: of the close pairs (m),
+  // 0: to be chosen from what it costs.
   void reset(const PairGran &pair, double skin);
 
   // Once a step: whether LIGGGHTS has moved rods between ranks and chosen ghosts anew since the step

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <stdexcept>
 
@@ -240,6 +242,21 @@ double kinetic_energy(const std::vector<Rod> &rods)
   double sum = 0.0;
   for (const Rod &rod : rods) sum += rod.kinetic_energy();
   return sum;
+}
+
+double largest_difference(const std::vector<Frame> &a, const std::vector<Frame> &b)
+{
+  if (a.empty() || a.size() != b.size()) return NAN;
+  double largest = 0.0;
+  for (size_t f = 0; f < a.size(); f++)
+    for (size_t k = 0; k < a[f].rods.size(); k++) {
+      const Rod &one = a[f].rods[k], &other = b[f].rods[k];
+      const double apart = norm(one.position - other.position) +
+                           norm(cross(one.axis, other.axis)) * one.half_cylinder();
+      if (!std::isfinite(apart)) return NAN;
+      largest = std::max(largest, apart);
+    }
+  return largest;
 }
 
 Vec3 normalized(const Vec3 &a) { return (1.0 / norm(a)) * a; }

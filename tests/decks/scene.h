@@ -100,6 +100,10 @@ std::string rod_pair(const std::string &models);
 std::string rod_wall(const std::string &id, const std::string &models,
                      const std::string &primitive);
 
+// Largest difference of two runs at any frame (m): of the centres and, with the axes, of the ends. Not a
+// number if one is, or if there is nothing to compare.
+double largest_difference(const std::vector<Frame> &a, const std::vector<Frame> &b);
+
 // Totals over rods.
 Vec3 momentum(const std::vector<Rod> &rods);
 Vec3 angular_momentum(const std::vector<Rod> &rods, const Vec3 &about);

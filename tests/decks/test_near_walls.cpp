@@ -21,22 +21,6 @@ constexpr const char *kListsOfEachStep = "neigh_modify delay 0 every 1 check no\
 // LIGGGHTS's models, one contact after the other, in each step.
 constexpr const char *kEachContact = "fix look all check/timestep/spherocylinder 1 1.0 warn no\n";
 
-// Largest difference of positions, and of the ends, in any frame (m).
-double difference(const std::vector<Frame> &a, const std::vector<Frame> &b)
-{
-  if (a.empty() || a.size() != b.size()) return NAN;
-  double largest = 0.0;
-  for (size_t f = 0; f < a.size(); f++)
-    for (size_t k = 0; k < a[f].rods.size(); k++) {
-      const Rod &one = a[f].rods[k], &other = b[f].rods[k];
-      const double apart = norm(one.position - other.position) +
-                           norm(cross(one.axis, other.axis)) * one.half_cylinder();
-      if (!std::isfinite(apart)) return NAN;
-      largest = std::max(largest, apart);
-    }
-  return largest;
-}
-
 struct Vessel {
   const char *name, *walls;
   double radius;  // of the space between them: across x and y, or along x
@@ -97,7 +81,7 @@ TEST_P(NearWalls, NoContactComesUnseen)
   const std::vector<Frame> near = run(scene);
   scene.physics += kListsOfEachStep;
   const std::vector<Frame> all = run(scene);
-  EXPECT_EQ(difference(near, all), 0.0);
+  EXPECT_EQ(largest_difference(near, all), 0.0);
 
   // They have all been at the walls, and more than once.
   std::vector<int> turns(scene.rods.size(), 0);
@@ -112,7 +96,7 @@ TEST_P(NearWalls, NoContactComesUnseen)
 TEST_P(NearWalls, NoContactComesUnseenOnTwoRanks)
 {
   const Scene scene = tumbling_rods(GetParam());
-  EXPECT_EQ(difference(run(scene, Mode::TwoRanks), run(scene)), 0.0);
+  EXPECT_EQ(largest_difference(run(scene, Mode::TwoRanks), run(scene)), 0.0);
 }
 
 // A rod whose centre is at rest comes to the wall by turning: its end is 0.14 m away at first.
@@ -129,7 +113,7 @@ TEST(NearWallsOfTurningRods, NoContactComesUnseen)
     scene.steps = 16000;
     const std::vector<Frame> near = run(scene);
     scene.physics += kListsOfEachStep;
-    EXPECT_EQ(difference(near, run(scene)), 0.0) << vessel.name;
+    EXPECT_EQ(largest_difference(near, run(scene)), 0.0) << vessel.name;
     EXPECT_LT(near.back().rods[0].velocity.x, -0.1) << vessel.name;
   }
 }
@@ -215,9 +199,9 @@ TEST_P(BatchedWalls, SameMotionAsOneContactAfterTheOther)
   const std::vector<Frame> each = run(scene);
   expect_holds({"Batched wall contacts: position (m)",
                 "LIGGGHTS's models, one contact after the other", kSameMotion},
-               difference(batched, each));
+               largest_difference(batched, each));
   // To the last bit equal, one and the same loop would have run twice.
-  EXPECT_GT(difference(batched, each), 0.0);
+  EXPECT_GT(largest_difference(batched, each), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -78,6 +78,17 @@ std::string dump_text(const std::vector<Rod> &rods, std::int64_t step)
   return text;
 }
 
+std::vector<Vec3> random_directions(std::size_t count, std::mt19937 &random)
+{
+  std::normal_distribution<double> normal;
+  std::vector<Vec3> axes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 u{normal(random), normal(random), normal(random)};
+    axes.push_back((1.0 / norm(u)) * u);
+  }
+  return axes;
+}
+
 std::vector<Vec3> even_directions(std::size_t count)
 {
   const double golden_angle = std::acos(-1.0) * (3.0 - std::sqrt(5.0));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,8 @@ std::string dump_text(const std::vector<Rod> &rods, std::int64_t step);
 
 // `count` directions spread evenly over the sphere (Fibonacci lattice): isotropic up to 1/count.
 std::vector<Vec3> even_directions(std::size_t count);
+
+// `count` directions at random, uniform on the sphere.
+std::vector<Vec3> random_directions(std::size_t count, std::mt19937 &random);
 
 }  // namespace spherocylinder

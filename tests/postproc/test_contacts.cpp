@@ -30,17 +30,6 @@ Rod rod(const Vec3 &centre, const Vec3 &axis, double half_length, double radius)
   return {1, 1, {{centre, axis, half_length}, radius}};
 }
 
-std::vector<Vec3> random_axes(std::size_t count, std::mt19937 &random)
-{
-  std::normal_distribution<double> normal;
-  std::vector<Vec3> axes;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 u{normal(random), normal(random), normal(random)};
-    axes.push_back((1.0 / norm(u)) * u);
-  }
-  return axes;
-}
-
 // Rods at random places and directions that know nothing of each other.
 std::vector<Rod> ideal_gas(std::size_t count, double side, double half_length, double radius,
                            unsigned seed)
@@ -48,7 +37,7 @@ std::vector<Rod> ideal_gas(std::size_t count, double side, double half_length, d
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(0.0, side);
   std::vector<Rod> rods;
-  for (const Vec3 &axis : random_axes(count, random))
+  for (const Vec3 &axis : random_directions(count, random))
     rods.push_back(
         rod({place(random), place(random), place(random)}, axis, half_length, radius));
   return rods;

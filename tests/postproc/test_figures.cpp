@@ -76,11 +76,11 @@ TEST_F(Figures, TableRefusesWhatIsNoTable)
 // 1, 2, 3, 6: mean 3, squares about it 4 + 1 + 0 + 9 = 14, error sqrt(14/(4 3)).
 TEST(BedMeans, MeanAndStandardError)
 {
-  const MeanWithError mean = mean_over_beds({6, 1, 3, 2});
+  const MeanWithError mean = mean_of(std::vector<double>{6, 1, 3, 2});
   EXPECT_NEAR(mean.mean, 3.0, 1e-15);
   EXPECT_NEAR(mean.error, std::sqrt(14.0 / 12.0), 1e-15);
-  EXPECT_EQ(mean_over_beds({7}).mean, 7.0);
-  EXPECT_EQ(mean_over_beds({7}).error, 0.0);
+  EXPECT_EQ(mean_of(std::vector<double>{7}).mean, 7.0);
+  EXPECT_EQ(mean_of(std::vector<double>{7}).error, 0.0);
 }
 
 TEST_F(Figures, BedsOfOneKindAreAveraged)

@@ -94,17 +94,6 @@ TEST(Orientation, StandardErrorOfTheMean)
   EXPECT_NEAR(found.error, 0.5, 1e-15);
 }
 
-std::vector<Vec3> random_directions(std::size_t count, std::mt19937 &random)
-{
-  std::normal_distribution<double> normal;
-  std::vector<Vec3> axes;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 u{normal(random), normal(random), normal(random)};
-    axes.push_back((1.0 / norm(u)) * u);
-  }
-  return axes;
-}
-
 // A part `aligned` of the axes lies along n, the others are isotropic: <P_2(u.n)> = aligned.
 std::vector<Vec3> partly_aligned(std::size_t count, double aligned, const Vec3 &n,
                                  std::mt19937 &random)
