@@ -176,65 +176,6 @@ double mean_half_length(const std::vector<Rod> &rods)
   return sum / static_cast<double>(rods.size());
 }
 
-struct Field {
-  std::string name;
-  OverFiles over_files;
-  double value;
-};
-
-std::vector<Field> fields(const BedPacking &p)
-{
-  const auto number = [](std::size_t n) { return static_cast<double>(n); };
-  std::vector<Field> all;
-  const auto add = [&](const std::string &name, double value, OverFiles rule) {
-    all.push_back({name, rule, value});
-  };
-  const auto add_mean = [&](const std::string &name, double value) {
-    add(name, value, OverFiles::mean);
-  };
-  const auto add_measured = [&](const std::string &name, double value) {
-    add_mean(name, value);
-    add(name + "_standard_error", none, OverFiles::error);
-  };
-  const double lambda = p.lambda.mean;
-  add("step", static_cast<double>(p.step), OverFiles::same);
-  add_mean("rods", number(p.rods));
-  add_mean("spheres", number(p.spheres));
-  add_mean("lambda_mean", lambda);
-  add_mean("lambda_min", p.lambda.smallest);
-  add_mean("lambda_max", p.lambda.largest);
-  add_measured("mean_elevation_deg", p.mean_elevation_deg);
-  add_measured("mean_sin_gamma", p.mean_sin_gamma);
-  add_measured("z_top_m", p.height.highest_centre);
-  add_mean("highest_point_m", p.height.highest_point);
-  add_mean("rods_volume_m3", p.rods_volume);
-  add_mean("whole_volume_m3", p.whole.volume);
-  add_measured("vf_whole", p.whole.fraction);
-  add_measured("vf_whole_net", p.whole.net_fraction);
-  add_measured("vf_whole_clipped", p.clipped.fraction);
-  add_mean("vf_whole_clipped_error", p.clipped.error);
-  add_mean("inner_radius_m", p.inner.radius);
-  add_mean("inner_bottom_m", p.inner.bottom);
-  add_mean("inner_top_m", p.inner.top);
-  add_mean("inner_volume_m3", p.inner.volume);
-  add_measured("vf_inner", p.inner.fraction);
-  add_measured("vf_inner_net", p.inner.net_fraction);
-  add_mean("vf_inner_error", p.inner.error);
-  add_mean("bulk_margin_m", p.bulk_margin);
-  add_mean("bulk_volume_m3", p.bulk.volume);
-  add_measured("vf_bulk", p.bulk.fraction);
-  add_measured("vf_bulk_net", p.bulk.net_fraction);
-  add_mean("vf_bulk_error", p.bulk.error);
-  add_mean("overlap_pairs", number(p.overlaps));
-  add_mean("overlap_volume_m3", p.overlap_volume);
-  add_mean("overlap_volume_error_m3", p.overlap_error);
-  add_mean("vf_parkhouse_kelly", parkhouse_kelly_fraction(lambda));
-  add_mean("vf_random_contact_isotropic", random_contact_fraction(lambda, isotropic_sin_gamma));
-  add_mean("vf_random_contact_horizontal", random_contact_fraction(lambda, horizontal_sin_gamma));
-  add_mean("vf_random_contact_measured", random_contact_fraction(lambda, p.mean_sin_gamma));
-  return all;
-}
-
 // Rods of a box periodic in z, and the images of those that reach over its top or bottom.
 std::vector<Rod> with_images(const Bed &bed)
 {
@@ -297,18 +238,58 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   return p;
 }
 
-std::vector<Column> packing_columns()
+Fields<BedPacking> packing_fields()
 {
-  std::vector<Column> columns;
-  for (const Field &field : fields(BedPacking{})) columns.push_back({field.name, field.over_files});
-  return columns;
-}
-
-std::vector<double> packing_row(const BedPacking &packing)
-{
-  std::vector<double> row;
-  for (const Field &field : fields(packing)) row.push_back(field.value);
-  return row;
+  using P = BedPacking;
+  Fields<P> fields;
+  const auto add = [&](const std::string &name, auto value) {
+    fields.add(name, OverFiles::mean, value);
+  };
+  // With its standard error over several beds.
+  const auto add_measured = [&](const std::string &name, auto value) {
+    add(name, value);
+    fields.add(name + "_standard_error", OverFiles::error, [](const P &) { return none; });
+  };
+  fields.add("step", OverFiles::same, [](const P &p) { return p.step; });
+  add("rods", [](const P &p) { return p.rods; });
+  add("spheres", [](const P &p) { return p.spheres; });
+  add("lambda_mean", [](const P &p) { return p.lambda.mean; });
+  add("lambda_min", [](const P &p) { return p.lambda.smallest; });
+  add("lambda_max", [](const P &p) { return p.lambda.largest; });
+  add_measured("mean_elevation_deg", [](const P &p) { return p.mean_elevation_deg; });
+  add_measured("mean_sin_gamma", [](const P &p) { return p.mean_sin_gamma; });
+  add_measured("z_top_m", [](const P &p) { return p.height.highest_centre; });
+  add("highest_point_m", [](const P &p) { return p.height.highest_point; });
+  add("rods_volume_m3", [](const P &p) { return p.rods_volume; });
+  add("whole_volume_m3", [](const P &p) { return p.whole.volume; });
+  add_measured("vf_whole", [](const P &p) { return p.whole.fraction; });
+  add_measured("vf_whole_net", [](const P &p) { return p.whole.net_fraction; });
+  add_measured("vf_whole_clipped", [](const P &p) { return p.clipped.fraction; });
+  add("vf_whole_clipped_error", [](const P &p) { return p.clipped.error; });
+  add("inner_radius_m", [](const P &p) { return p.inner.radius; });
+  add("inner_bottom_m", [](const P &p) { return p.inner.bottom; });
+  add("inner_top_m", [](const P &p) { return p.inner.top; });
+  add("inner_volume_m3", [](const P &p) { return p.inner.volume; });
+  add_measured("vf_inner", [](const P &p) { return p.inner.fraction; });
+  add_measured("vf_inner_net", [](const P &p) { return p.inner.net_fraction; });
+  add("vf_inner_error", [](const P &p) { return p.inner.error; });
+  add("bulk_margin_m", [](const P &p) { return p.bulk_margin; });
+  add("bulk_volume_m3", [](const P &p) { return p.bulk.volume; });
+  add_measured("vf_bulk", [](const P &p) { return p.bulk.fraction; });
+  add_measured("vf_bulk_net", [](const P &p) { return p.bulk.net_fraction; });
+  add("vf_bulk_error", [](const P &p) { return p.bulk.error; });
+  add("overlap_pairs", [](const P &p) { return p.overlaps; });
+  add("overlap_volume_m3", [](const P &p) { return p.overlap_volume; });
+  add("overlap_volume_error_m3", [](const P &p) { return p.overlap_error; });
+  const auto random_contacts = [](double sin_gamma) {
+    return [=](const P &p) { return random_contact_fraction(p.lambda.mean, sin_gamma); };
+  };
+  add("vf_parkhouse_kelly", [](const P &p) { return parkhouse_kelly_fraction(p.lambda.mean); });
+  add("vf_random_contact_isotropic", random_contacts(isotropic_sin_gamma));
+  add("vf_random_contact_horizontal", random_contacts(horizontal_sin_gamma));
+  add("vf_random_contact_measured",
+      [](const P &p) { return random_contact_fraction(p.lambda.mean, p.mean_sin_gamma); });
+  return fields;
 }
 
 PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, double width)
@@ -334,24 +315,25 @@ PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, 
   return profiles;
 }
 
-std::vector<Column> profile_columns()
+Fields<ProfileRow> profile_fields()
 {
-  return {{"step", OverFiles::same},
-          {"low_m", OverFiles::same},
-          {"high_m", OverFiles::same},
-          {"region_m3", OverFiles::mean},
-          {"solid_m3", OverFiles::mean},
-          {"vf", OverFiles::mean},
-          {"vf_standard_error", OverFiles::error},
-          {"vf_error", OverFiles::mean}};
+  using R = ProfileRow;
+  Fields<R> fields;
+  fields.add("step", OverFiles::same, [](const R &r) { return r.step; });
+  fields.add("low_m", OverFiles::same, [](const R &r) { return r.bin.low; });
+  fields.add("high_m", OverFiles::same, [](const R &r) { return r.bin.high; });
+  fields.add("region_m3", OverFiles::mean, [](const R &r) { return r.bin.region; });
+  fields.add("solid_m3", OverFiles::mean, [](const R &r) { return r.bin.solid; });
+  fields.add("vf", OverFiles::mean, [](const R &r) { return r.bin.fraction(); });
+  fields.add("vf_standard_error", OverFiles::error, [](const R &) { return none; });
+  fields.add("vf_error", OverFiles::mean, [](const R &r) { return r.bin.error / r.bin.region; });
+  return fields;
 }
 
-Rows profile_rows(const Bed &bed, const std::vector<ProfileBin> &bins)
+std::vector<ProfileRow> profile_rows(const Bed &bed, const std::vector<ProfileBin> &bins)
 {
-  Rows rows;
-  for (const ProfileBin &bin : bins)
-    rows.push_back({static_cast<double>(bed.frame.step), bin.low, bin.high, bin.region, bin.solid,
-                    bin.fraction(), none, bin.error / bin.region});
+  std::vector<ProfileRow> rows;
+  for (const ProfileBin &bin : bins) rows.push_back({bed.frame.step, bin});
   return rows;
 }
 

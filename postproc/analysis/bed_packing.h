@@ -59,9 +59,7 @@ struct BedPacking {
 // Throws InputError if centres of rods lie outside the vessel or the options do not fit the bed.
 BedPacking measure_packing(const Bed &bed, const PackingOptions &options);
 
-// As a row of a table.
-std::vector<Column> packing_columns();
-std::vector<double> packing_row(const BedPacking &packing);
+Fields<BedPacking> packing_fields();
 
 struct PackingProfiles {
   std::vector<ProfileBin> height, radius, wall;  // the latter two empty for a periodic box
@@ -70,7 +68,12 @@ struct PackingProfiles {
 // Bins `width` wide (m). Heights end above the highest point of any rod, with a full bin.
 PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, double width);
 
-std::vector<Column> profile_columns();
-Rows profile_rows(const Bed &bed, const std::vector<ProfileBin> &bins);
+struct ProfileRow {
+  std::int64_t step;
+  ProfileBin bin;
+};
+
+Fields<ProfileRow> profile_fields();
+std::vector<ProfileRow> profile_rows(const Bed &bed, const std::vector<ProfileBin> &bins);
 
 }  // namespace spherocylinder

@@ -51,16 +51,14 @@ void add_wall_contacts(std::vector<std::uint32_t> &numbers, const std::vector<Wa
 // closest_points clamps to the half length itself, so that no tolerance is needed.
 bool at_end(double position, double half_length) { return std::abs(position) >= half_length; }
 
-ContactKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs)
+CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs)
 {
-  if (pairs.empty()) return {none, none, none};
   std::array<std::size_t, 3> counts{};  // by the number of ends
   for (const ClosePair &pair : pairs)
     ++counts[at_end(pair.s, rods[pair.i].capsule.segment.half_length) +
              at_end(pair.t, rods[pair.j].capsule.segment.half_length)];
-  const double all = static_cast<double>(pairs.size());
-  return {static_cast<double>(counts[0]) / all, static_cast<double>(counts[1]) / all,
-          static_cast<double>(counts[2]) / all};
+  return {part_of(counts[0], pairs.size()), part_of(counts[1], pairs.size()),
+          part_of(counts[2], pairs.size())};
 }
 
 ContactKinds uncorrelated_contact_kinds(double x, double mean_sin_gamma)
@@ -121,16 +119,10 @@ std::vector<HistogramBin> histogram(const std::vector<double> &values, double hi
   std::vector<HistogramBin> found(bins);
   const double width = high / static_cast<double>(bins);
   for (std::size_t k = 0; k < bins; ++k)
-    found[k] = {width * static_cast<double>(k), width * static_cast<double>(k + 1), 0, none, none};
+    found[k] = {width * static_cast<double>(k), width * static_cast<double>(k + 1), 0, {}};
   for (const double value : values)
     if (value < high) ++found[std::min(bins - 1, static_cast<std::size_t>(value / width))].count;
-  const double n = static_cast<double>(values.size());
-  if (values.empty()) return found;
-  for (HistogramBin &bin : found) {
-    const double p = (static_cast<double>(bin.count) + 1.0) / (n + 2.0);
-    bin.fraction = static_cast<double>(bin.count) / n;
-    bin.fraction_error = std::sqrt(p * (1.0 - p) / n);
-  }
+  for (HistogramBin &bin : found) bin.part = part_of(bin.count, values.size());
   return found;
 }
 

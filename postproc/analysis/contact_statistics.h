@@ -41,7 +41,11 @@ struct ContactKinds {
   double side_side, side_end, end_end;
 };
 
-ContactKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs);
+struct CountedKinds {
+  MeanWithError side_side, side_end, end_end;
+};
+
+CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs);
 
 // The same for rods of diameter D and cylinder length x D that know nothing of each other. The
 // volume from which the centre of one is kept by the other (Onsager, Ann. N. Y. Acad. Sci. 51
@@ -73,9 +77,8 @@ Spread spread_of(const std::vector<double> &values);
 struct HistogramBin {
   double low, high;
   std::size_t count;
-  double fraction, fraction_error;  // of all values; sqrt(p (1 - p)/n), p = (count + 1)/(n + 2)
-  double density() const { return fraction / (high - low); }
-  double density_error() const { return fraction_error / (high - low); }
+  MeanWithError part;  // of all values
+  MeanWithError density() const { return {part.mean / (high - low), part.error / (high - low)}; }
 };
 
 // Equal bins from 0 to `high`; values above are counted by the fractions only.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace spherocylinder {
@@ -32,6 +33,19 @@ template <class Numbers>
 MeanWithError mean_of(const Numbers &values)
 {
   return mean_of(values, [](double value) { return value; });
+}
+
+// The part that `count` of n make, and its standard error sqrt(p (1 - p)/n) with
+// p = (count + 1)/(n + 2) (Laplace), so that neither none nor all claims to be certain.
+inline MeanWithError part_of(std::size_t count, std::size_t n)
+{
+  if (n == 0) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none};
+  }
+  const double k = static_cast<double>(count), all = static_cast<double>(n);
+  const double p = (k + 1.0) / (all + 2.0);
+  return {k / all, std::sqrt(p * (1.0 - p) / all)};
 }
 
 }  // namespace spherocylinder

@@ -176,12 +176,9 @@ std::vector<ElevationBin> elevation_histogram(const std::vector<Vec3> &axes, std
   }
   const double n = static_cast<double>(axes.size());
   for (ElevationBin &bin : histogram) {
-    const double count = static_cast<double>(bin.count);
-    const double p = (count + 1.0) / (n + 2.0);
     const double q = bin.isotropic_fraction;
-    bin.fraction = count / n;
-    bin.fraction_error = std::sqrt(p * (1.0 - p) / n);
-    bin.isotropic_scatter = std::sqrt(q * (1.0 - q) / n);
+    bin.part = part_of(bin.count, axes.size());
+    bin.isotropic_scatter = axes.empty() ? none : std::sqrt(q * (1.0 - q) / n);
   }
   return histogram;
 }

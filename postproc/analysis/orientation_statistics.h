@@ -88,18 +88,17 @@ enum class BinSpacing {
 struct ElevationBin {
   double low, high;  // rad
   std::size_t count;
-  double fraction;
-  double fraction_error;      // standard error of the fraction
+  MeanWithError part;         // of all axes; NaN if there are none
   double isotropic_fraction;  // sin(high) - sin(low)
-  double isotropic_scatter;   // standard deviation of the fraction of as many isotropic axes
+  double isotropic_scatter;   // standard deviation of the part of as many isotropic axes
 
-  double density() const { return fraction / isotropic_fraction; }  // 1 if isotropic
-  double density_error() const { return fraction_error / isotropic_fraction; }
+  MeanWithError density() const  // 1 if isotropic
+  {
+    return {part.mean / isotropic_fraction, part.error / isotropic_fraction};
+  }
 };
 
 // Elevation of the axes from 0 to pi/2 in `bins` bins; an axis on an edge counts in the upper bin.
-// The standard error is sqrt(p (1 - p)/n) with p = (count + 1)/(n + 2) (Laplace), so that an empty
-// bin does not claim to be certain.
 std::vector<ElevationBin> elevation_histogram(const std::vector<Vec3> &axes, std::size_t bins,
                                               BinSpacing spacing);
 

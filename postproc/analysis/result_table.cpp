@@ -59,12 +59,12 @@ Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &
   return together;
 }
 
-ResultTable::ResultTable(std::string path, std::vector<Column> columns, bool several_files)
+RowTable::RowTable(std::string path, std::vector<Column> columns, bool several_files)
     : path_(std::move(path)), columns_(std::move(columns)), several_files_(several_files)
 {
 }
 
-void ResultTable::add(const Rows &rows)
+void RowTable::add(const Rows &rows)
 {
   if (!csv_) {
     std::vector<std::string> names;
@@ -77,23 +77,24 @@ void ResultTable::add(const Rows &rows)
     write(rows);
 }
 
-void ResultTable::write(const Rows &rows)
+void RowTable::write(const Rows &rows)
 {
   for (const std::vector<double> &row : rows) csv_->row(row);
 }
 
-void ResultTable::finish()
+void RowTable::finish()
 {
   if (!csv_) return;
-  if (several_files_) write(combined());
+  if (several_files_) write(combine_files(columns_, files_));
   csv_->close();
 }
 
-void print_means(const std::vector<Column> &columns, const std::vector<double> &row)
+void RowTable::print_means() const
 {
-  for (std::size_t i = 0; i + 1 < columns.size(); ++i)
-    if (columns[i + 1].over_files == OverFiles::error && !std::isnan(row[i]))
-      fmt::print("  {:<34} {:12.6g} -+ {:.2g}\n", columns[i].name, row[i], row[i + 1]);
+  const std::vector<double> row = combine_files(columns_, files_)[0];
+  for (std::size_t i = 0; i + 1 < columns_.size(); ++i)
+    if (columns_[i + 1].over_files == OverFiles::error && !std::isnan(row[i]))
+      fmt::print("  {:<34} {:12.6g} -+ {:.2g}\n", columns_[i].name, row[i], row[i + 1]);
 }
 
 }  // namespace spherocylinder

@@ -3,8 +3,10 @@
 // files (beds poured with other seeds), and the CSV file it goes to.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/csv_file.h"
@@ -30,14 +32,65 @@ struct Column {
 
 using Rows = std::vector<std::vector<double>>;  // NaN is an empty field
 
+// The columns of a table, each with the number of an Item that is written there.
+template <class Item>
+class Fields {
+ public:
+  template <class Number>  // of an item: convertible to double
+  Fields &add(const std::string &name, OverFiles rule, Number number)
+  {
+    columns_.push_back({name, rule});
+    numbers_.push_back([number](const Item &item) { return static_cast<double>(number(item)); });
+    return *this;
+  }
+
+  // A mean and its standard error; a suffix of the unit is said apart: mean_z, "_m" give the columns
+  // mean_z_m and mean_z_error_m.
+  template <class Mean>  // of an item: MeanWithError
+  Fields &add_mean(const std::string &name, Mean mean, const std::string &unit = "")
+  {
+    add(name + unit, OverFiles::mean, [mean](const Item &item) { return mean(item).mean; });
+    return add(name + "_error" + unit, OverFiles::error,
+               [mean](const Item &item) { return mean(item).error; });
+  }
+
+  // Those of a part of the item.
+  template <class Part, class Other>
+  Fields &add_part(const Fields<Part> &fields, Other part)
+  {
+    for (std::size_t k = 0; k < fields.columns().size(); ++k)
+      add(fields.columns()[k].name, fields.columns()[k].over_files,
+          [number = fields.number(k), part](const Item &item) { return number(part(item)); });
+    return *this;
+  }
+
+  const std::vector<Column> &columns() const { return columns_; }
+  const std::function<double(const Item &)> &number(std::size_t column) const
+  {
+    return numbers_[column];
+  }
+
+  std::vector<double> row(const Item &item) const
+  {
+    std::vector<double> row;
+    for (const auto &number : numbers_) row.push_back(number(item));
+    return row;
+  }
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::function<double(const Item &)>> numbers_;
+};
+
 // Rows of several files as one table: row by row, as many as the longest has. A standard error
 // needs two files with a value, else it is NaN.
 Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &files);
 
-class ResultTable {
+// The rows of a table on their way to a file.
+class RowTable {
  public:
-  // An empty path writes nothing. With `several_files` each frame added is a file.
-  ResultTable(std::string path, std::vector<Column> columns, bool several_files);
+  // An empty path writes nothing. With `several_files` each call of add is a file.
+  RowTable(std::string path, std::vector<Column> columns, bool several_files);
 
   // Throws InputError if the file cannot be written, with several files too.
   void add(const Rows &rows);
@@ -45,8 +98,9 @@ class ResultTable {
   // Writes what several files give together.
   void finish();
 
-  const std::vector<Column> &columns() const { return columns_; }
-  Rows combined() const { return combine_files(columns_, files_); }
+  // What several files give together: "  name   mean -+ error" for each column of the first row that
+  // has an error behind it.
+  void print_means() const;
 
  private:
   void write(const Rows &rows);
@@ -58,7 +112,30 @@ class ResultTable {
   std::optional<CsvFile> csv_;  // opened only once there is something to write
 };
 
-// "  name   mean -+ error" for each column of one row that has an error behind it.
-void print_means(const std::vector<Column> &columns, const std::vector<double> &row);
+// A RowTable of Items.
+template <class Item>
+class ResultTable {
+ public:
+  ResultTable(std::string path, Fields<Item> fields, bool several_files)
+      : fields_(std::move(fields)), table_(std::move(path), fields_.columns(), several_files)
+  {
+  }
+
+  void add(const Item &item) { table_.add({fields_.row(item)}); }
+
+  void add_all(const std::vector<Item> &items)
+  {
+    Rows rows;
+    for (const Item &item : items) rows.push_back(fields_.row(item));
+    table_.add(rows);
+  }
+
+  void finish() { table_.finish(); }
+  void print_means() const { table_.print_means(); }
+
+ private:
+  Fields<Item> fields_;
+  RowTable table_;
+};
 
 }  // namespace spherocylinder

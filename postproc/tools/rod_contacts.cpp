@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "analysis/bed_contacts.h"
 #include "analysis/beds.h"
 #include "analysis/contact_forces.h"
-#include "analysis/contact_statistics.h"
 #include "analysis/input_error.h"
 #include "analysis/orientation_statistics.h"
 #include "analysis/result_table.h"
@@ -24,9 +24,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t position_bins = 10;
-// Gap in diameters that the six digits of a usual dump do not tell from touching: they round a
-// coordinate below 1 m by 5e-7 m, and the rods of a laboratory are some millimetres thick.
-constexpr double doubtful_gap = 1e-4;
 constexpr double largest_over_mean = 10.0;  // of the distributions of overlaps and forces
 
 struct Options {
@@ -40,141 +37,260 @@ struct Options {
   std::string csv, tables, contacts_csv;
 };
 
-struct Forces {
-  std::vector<ContactForce> pairs, walls;
-  std::vector<double> pair_sizes, wall_sizes;  // N
-  Vec3 sum_on_walls;                           // that the walls exert on the rods (N)
-  ForceChains chains;
-  std::size_t pairs_apart;  // pairs with a force whose gap is not below the one asked for
-};
-
-struct Result {
-  std::int64_t step;
-  std::size_t rods;
-  std::vector<ClosePair> pairs;
-  std::size_t doubtful_pairs;  // whose gap is within doubtful_gap of the one asked for
-  std::vector<WallContact> walls;
-  std::vector<std::uint32_t> pair_numbers, all_numbers;  // contacts of each rod
-  ContactKinds kinds, uncorrelated;
-  MeanWithError side_position, sin_gamma;
-  double sin_gamma_of_all;
-  Spread overlap, wall_overlap;
-  std::optional<Forces> pair_forces, wall_forces;
-};
-
 constexpr OverFiles same = OverFiles::same, sum = OverFiles::sum, mean = OverFiles::mean,
                     error = OverFiles::error, largest = OverFiles::largest;
 
-const std::vector<Column> summary_columns{{"step", same},
-                                          {"rods", sum},
-                                          {"pair_contacts", sum},
-                                          {"doubtful_pairs", sum},
-                                          {"wall_contacts", sum},
-                                          {"contacts_per_rod", mean},
-                                          {"contacts_per_rod_error", error},
-                                          {"contacts_per_rod_with_walls", mean},
-                                          {"contacts_per_rod_with_walls_error", error},
-                                          {"rods_without_contact_fraction", mean},
-                                          {"rods_without_contact_fraction_error", error},
-                                          {"side_side_fraction", mean},
-                                          {"side_side_fraction_error", error},
-                                          {"side_end_fraction", mean},
-                                          {"side_end_fraction_error", error},
-                                          {"end_end_fraction", mean},
-                                          {"end_end_fraction_error", error},
-                                          {"uncorrelated_side_side_fraction", mean},
-                                          {"uncorrelated_side_end_fraction", mean},
-                                          {"uncorrelated_end_end_fraction", mean},
-                                          {"mean_side_position", mean},
-                                          {"mean_side_position_error", error},
-                                          {"contact_sin_gamma", mean},
-                                          {"contact_sin_gamma_error", error},
-                                          {"all_pairs_sin_gamma", mean},
-                                          {"overlap_mean_diameters", mean},
-                                          {"overlap_mean_error_diameters", error},
-                                          {"overlap_rms_diameters", mean},
-                                          {"overlap_max_diameters", largest},
-                                          {"wall_overlap_mean_diameters", mean},
-                                          {"wall_overlap_mean_error_diameters", error},
-                                          {"wall_overlap_max_diameters", largest},
-                                          {"pair_forces", sum},
-                                          {"pair_force_mean_N", mean},
-                                          {"pair_force_mean_error_N", error},
-                                          {"pair_force_rms_N", mean},
-                                          {"pair_force_max_N", largest},
-                                          {"wall_forces", sum},
-                                          {"wall_force_mean_N", mean},
-                                          {"wall_force_mean_error_N", error},
-                                          {"wall_force_max_N", largest},
-                                          {"wall_force_sum_x_N", mean},
-                                          {"wall_force_sum_y_N", mean},
-                                          {"wall_force_sum_z_N", mean},
-                                          {"strong_fraction", mean},
-                                          {"strong_fraction_error", error},
-                                          {"chains", mean},
-                                          {"chains_error", error},
-                                          {"largest_chain_rods", mean},
-                                          {"largest_chain_rods_error", error},
-                                          {"rods_in_chains_fraction", mean},
-                                          {"rods_in_chains_fraction_error", error}};
+// What several beds alone give an error.
+double no_error(const BedContacts &) { return none; }
 
-const std::vector<Column> number_columns{{"step", same},
-                                         {"contacts", same},
-                                         {"rods", sum},
-                                         {"fraction", mean},
-                                         {"fraction_error", error},
-                                         {"rods_with_walls", sum},
-                                         {"fraction_with_walls", mean},
-                                         {"fraction_with_walls_error", error}};
-
-const std::vector<Column> position_columns{{"step", same},      {"position_low", same},
-                                           {"position_high", same}, {"count", sum},
-                                           {"fraction", mean},  {"fraction_error", error},
-                                           {"density", mean},   {"density_error", error}};
-
-std::vector<Column> over_mean_columns(const std::string &what)
+Spread spread_of(const std::optional<MeasuredForces> &forces)
 {
-  return {{"step", same},
-          {what + "_over_mean_low", same},
-          {what + "_over_mean_high", same},
-          {"pair_count", sum},
-          {"pair_density", mean},
-          {"pair_density_error", error},
-          {"wall_count", sum},
-          {"wall_density", mean},
-          {"wall_density_error", error}};
+  return forces ? forces->spread : Spread{{none, none}, none, none};
 }
 
-const std::vector<Column> chain_columns{{"step", same},
-                                        {"rods_low", same},
-                                        {"rods_high", same},
-                                        {"chains", mean},
-                                        {"chains_error", error}};
-
-const std::vector<Column> contact_columns{{"step", same},        {"id_i", same},
-                                          {"id_j", same},        {"wall", same},
-                                          {"position_i_m", same}, {"position_j_m", same},
-                                          {"gap_m", same},       {"sin_gamma", same},
-                                          {"force_N", same},     {"chain", same}};
-
-// Of a part p of n.
-double fraction_error(double p, std::size_t n)
+double number_of(const std::optional<MeasuredForces> &forces)
 {
-  return n > 0 ? std::sqrt(p * (1.0 - p) / static_cast<double>(n)) : none;
+  return forces ? static_cast<double>(forces->contacts.size()) : none;
 }
 
-double number(std::size_t count) { return static_cast<double>(count); }
-
-std::pair<std::uint32_t, std::uint32_t> key_of(std::uint32_t i, std::uint32_t j)
+Vec3 sum_of(const std::optional<MeasuredForces> &forces)
 {
-  return std::minmax(i, j);
+  return forces ? forces->sum : Vec3{none, none, none};
 }
 
-std::vector<double> sizes_of(const std::vector<ContactForce> &forces)
+bool has_chains(const BedContacts &b) { return b.pair_forces && !b.pair_forces->contacts.empty(); }
+
+double number_of_chains(const BedContacts &b)
 {
-  std::vector<double> sizes;
-  for (const ContactForce &contact : forces) sizes.push_back(norm(contact.force));
-  return sizes;
+  return has_chains(b) ? static_cast<double>(b.chains.sizes.size()) : none;
+}
+
+double largest_chain(const BedContacts &b)
+{
+  if (!has_chains(b)) return none;
+  return b.chains.sizes.empty() ? 0.0 : static_cast<double>(b.chains.sizes[0]);
+}
+
+Fields<BedContacts> summary_fields()
+{
+  using B = BedContacts;
+  Fields<B> fields;
+  fields.add("step", same, [](const B &b) { return b.step; });
+  fields.add("rods", sum, [](const B &b) { return b.rods; });
+  fields.add("pair_contacts", sum, [](const B &b) { return b.pairs.size(); });
+  fields.add("doubtful_pairs", sum, [](const B &b) { return b.doubtful_pairs; });
+  fields.add("wall_contacts", sum, [](const B &b) { return b.walls.size(); });
+  fields.add_mean("contacts_per_rod", [](const B &b) { return b.between_rods.per_rod; });
+  fields.add_mean("contacts_per_rod_with_walls", [](const B &b) { return b.with_walls.per_rod; });
+  fields.add_mean("rods_without_contact_fraction", [](const B &b) { return b.without_contact; });
+  fields.add_mean("side_side_fraction", [](const B &b) { return b.kinds.side_side; });
+  fields.add_mean("side_end_fraction", [](const B &b) { return b.kinds.side_end; });
+  fields.add_mean("end_end_fraction", [](const B &b) { return b.kinds.end_end; });
+  fields.add("uncorrelated_side_side_fraction", mean,
+             [](const B &b) { return b.uncorrelated.side_side; });
+  fields.add("uncorrelated_side_end_fraction", mean,
+             [](const B &b) { return b.uncorrelated.side_end; });
+  fields.add("uncorrelated_end_end_fraction", mean,
+             [](const B &b) { return b.uncorrelated.end_end; });
+  fields.add_mean("mean_side_position", [](const B &b) { return b.side_position; });
+  fields.add_mean("contact_sin_gamma", [](const B &b) { return b.sin_gamma; });
+  fields.add("all_pairs_sin_gamma", mean, [](const B &b) { return b.sin_gamma_of_all; });
+  fields.add_mean("overlap_mean", [](const B &b) { return b.overlap.mean; }, "_diameters");
+  fields.add("overlap_rms_diameters", mean, [](const B &b) { return b.overlap.root_mean_square; });
+  fields.add("overlap_max_diameters", largest, [](const B &b) { return b.overlap.largest; });
+  fields.add_mean("wall_overlap_mean", [](const B &b) { return b.wall_overlap.mean; },
+                  "_diameters");
+  fields.add("wall_overlap_max_diameters", largest,
+             [](const B &b) { return b.wall_overlap.largest; });
+  fields.add("pair_forces", sum, [](const B &b) { return number_of(b.pair_forces); });
+  fields.add_mean("pair_force_mean", [](const B &b) { return spread_of(b.pair_forces).mean; },
+                  "_N");
+  fields.add("pair_force_rms_N", mean,
+             [](const B &b) { return spread_of(b.pair_forces).root_mean_square; });
+  fields.add("pair_force_max_N", largest,
+             [](const B &b) { return spread_of(b.pair_forces).largest; });
+  fields.add("wall_forces", sum, [](const B &b) { return number_of(b.wall_forces); });
+  fields.add_mean("wall_force_mean", [](const B &b) { return spread_of(b.wall_forces).mean; },
+                  "_N");
+  fields.add("wall_force_max_N", largest,
+             [](const B &b) { return spread_of(b.wall_forces).largest; });
+  fields.add("wall_force_sum_x_N", mean, [](const B &b) { return sum_of(b.wall_forces).x; });
+  fields.add("wall_force_sum_y_N", mean, [](const B &b) { return sum_of(b.wall_forces).y; });
+  fields.add("wall_force_sum_z_N", mean, [](const B &b) { return sum_of(b.wall_forces).z; });
+  fields.add_mean("strong_fraction", [](const B &b) { return b.strong; });
+  fields.add("chains", mean, number_of_chains).add("chains_error", error, no_error);
+  fields.add("largest_chain_rods", mean, largest_chain);
+  fields.add("largest_chain_rods_error", error, no_error);
+  fields.add_mean("rods_in_chains_fraction", [](const B &b) { return b.in_chains; });
+  return fields;
+}
+
+// How many rods have so many contacts.
+struct NumberRow {
+  std::int64_t step;
+  std::size_t contacts, between_rods, with_walls, rods;
+};
+
+Fields<NumberRow> number_fields()
+{
+  using R = NumberRow;
+  Fields<R> fields;
+  fields.add("step", same, [](const R &r) { return r.step; });
+  fields.add("contacts", same, [](const R &r) { return r.contacts; });
+  fields.add("rods", sum, [](const R &r) { return r.between_rods; });
+  fields.add_mean("fraction", [](const R &r) { return part_of(r.between_rods, r.rods); });
+  fields.add("rods_with_walls", sum, [](const R &r) { return r.with_walls; });
+  fields.add_mean("fraction_with_walls", [](const R &r) { return part_of(r.with_walls, r.rods); });
+  return fields;
+}
+
+std::vector<NumberRow> number_rows(const BedContacts &b)
+{
+  std::vector<NumberRow> rows;
+  for (std::size_t k = 0; k < b.with_walls.rods_with.size(); ++k)
+    rows.push_back({b.step, k, b.between_rods.rods_that_have(k), b.with_walls.rods_with[k],
+                    b.rods});
+  return rows;
+}
+
+struct BinRow {
+  std::int64_t step;
+  HistogramBin pairs, walls;  // the same bin of both
+};
+
+Fields<BinRow> position_fields()
+{
+  using R = BinRow;
+  Fields<R> fields;
+  fields.add("step", same, [](const R &r) { return r.step; });
+  fields.add("position_low", same, [](const R &r) { return r.pairs.low; });
+  fields.add("position_high", same, [](const R &r) { return r.pairs.high; });
+  fields.add("count", sum, [](const R &r) { return r.pairs.count; });
+  fields.add_mean("fraction", [](const R &r) { return r.pairs.part; });
+  fields.add_mean("density", [](const R &r) { return r.pairs.density(); });
+  return fields;
+}
+
+std::vector<BinRow> position_rows(const BedContacts &b, const std::vector<Rod> &rods)
+{
+  std::vector<BinRow> rows;
+  for (const HistogramBin &bin : histogram(side_positions(rods, b.pairs), 1.0, position_bins))
+    rows.push_back({b.step, bin, {}});
+  return rows;
+}
+
+// Of overlaps or forces, over the mean of their kind.
+Fields<BinRow> over_mean_fields(const std::string &what)
+{
+  using R = BinRow;
+  Fields<R> fields;
+  fields.add("step", same, [](const R &r) { return r.step; });
+  fields.add(what + "_over_mean_low", same, [](const R &r) { return r.pairs.low; });
+  fields.add(what + "_over_mean_high", same, [](const R &r) { return r.pairs.high; });
+  fields.add("pair_count", sum, [](const R &r) { return r.pairs.count; });
+  fields.add_mean("pair_density", [](const R &r) { return r.pairs.density(); });
+  fields.add("wall_count", sum, [](const R &r) { return r.walls.count; });
+  fields.add_mean("wall_density", [](const R &r) { return r.walls.density(); });
+  return fields;
+}
+
+std::vector<BinRow> over_mean_rows(std::int64_t step, std::vector<double> pairs,
+                                   std::vector<double> walls, std::size_t bins)
+{
+  for (std::vector<double> *values : {&pairs, &walls}) {
+    const double scale = mean_of(*values).mean;
+    for (double &value : *values) value /= scale;
+  }
+  const auto of_pairs = histogram(pairs, largest_over_mean, bins);
+  const auto of_walls = histogram(walls, largest_over_mean, bins);
+  std::vector<BinRow> rows;
+  for (std::size_t k = 0; k < bins; ++k) rows.push_back({step, of_pairs[k], of_walls[k]});
+  return rows;
+}
+
+struct ChainRow {
+  std::int64_t step;
+  std::size_t rods_low, rods_high, chains;
+};
+
+Fields<ChainRow> chain_fields()
+{
+  using R = ChainRow;
+  Fields<R> fields;
+  fields.add("step", same, [](const R &r) { return r.step; });
+  fields.add("rods_low", same, [](const R &r) { return r.rods_low; });
+  fields.add("rods_high", same, [](const R &r) { return r.rods_high; });
+  fields.add_mean("chains", [](const R &r) {
+    const double count = static_cast<double>(r.chains);
+    return MeanWithError{count, std::sqrt(count)};
+  });
+  return fields;
+}
+
+// Chains of 2, 3-4, 5-8 ... rods.
+std::vector<ChainRow> chain_rows(const BedContacts &b)
+{
+  std::vector<ChainRow> rows;
+  const std::vector<std::size_t> &sizes = b.chains.sizes;
+  for (std::size_t low = 2, high = 2; low == 2 || low <= sizes.front(); low = high + 1, high *= 2) {
+    const auto in_row = [&](std::size_t size) { return size >= low && size <= high; };
+    const auto count = std::count_if(sizes.begin(), sizes.end(), in_row);
+    rows.push_back({b.step, low, high, static_cast<std::size_t>(count)});
+    if (sizes.empty()) break;
+  }
+  return rows;
+}
+
+// A contact between rods, or of a rod at a wall. NaN where there is nothing to say.
+struct ContactRow {
+  std::int64_t step, id_i;
+  double id_j, wall;              // 1 floor, 2 cylinder
+  double position_i, position_j;  // signed distance from the centre along the axis (m)
+  double gap, sin_gamma;          // m
+  double force, chain;            // N; number of the force chain
+};
+
+Fields<ContactRow> contact_fields()
+{
+  using R = ContactRow;
+  Fields<R> fields;
+  fields.add("step", same, [](const R &r) { return r.step; });
+  fields.add("id_i", same, [](const R &r) { return r.id_i; });
+  fields.add("id_j", same, [](const R &r) { return r.id_j; });
+  fields.add("wall", same, [](const R &r) { return r.wall; });
+  fields.add("position_i_m", same, [](const R &r) { return r.position_i; });
+  fields.add("position_j_m", same, [](const R &r) { return r.position_j; });
+  fields.add("gap_m", same, [](const R &r) { return r.gap; });
+  fields.add("sin_gamma", same, [](const R &r) { return r.sin_gamma; });
+  fields.add("force_N", same, [](const R &r) { return r.force; });
+  fields.add("chain", same, [](const R &r) { return r.chain; });
+  return fields;
+}
+
+std::vector<ContactRow> contact_rows(const BedContacts &b, const std::vector<Rod> &rods)
+{
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> forces;
+  if (b.pair_forces)
+    for (std::size_t k = 0; k < b.pair_forces->contacts.size(); ++k) {
+      const ContactForce &contact = b.pair_forces->contacts[k];
+      forces[std::minmax(contact.i, contact.j)] = b.pair_forces->sizes[k];
+    }
+  std::vector<ContactRow> rows;
+  for (const ClosePair &pair : b.pairs) {
+    const auto found = forces.find({pair.i, pair.j});
+    const double force = found == forces.end() ? none : found->second;
+    const bool strong = force > b.chains.threshold;  // not if there is no force
+    rows.push_back({b.step, rods[pair.i].id, static_cast<double>(rods[pair.j].id), none, pair.s,
+                    pair.t, pair.gap, pair.sin_gamma, force,
+                    strong ? b.chains.chain_of_rod[pair.i] : none});
+  }
+  for (const WallContact &contact : b.walls) {
+    const double half_length = rods[contact.rod].capsule.segment.half_length;
+    rows.push_back({b.step, rods[contact.rod].id, none, contact.at_floor ? 1.0 : 2.0,
+                    contact.at_plus ? half_length : -half_length, none, contact.gap, none, none,
+                    none});
+  }
+  return rows;
 }
 
 // The dumps of forces beside each dump of rods.
@@ -213,281 +329,67 @@ class ForceFiles {
   std::pair<std::size_t, std::unique_ptr<LocalForces>> open_[2];
 };
 
-Forces pair_forces_of(std::vector<ContactForce> forces, const Result &r, double strong)
+void print_forces(const BedContacts &b, double strong)
 {
-  Forces found{};
-  found.pairs = std::move(forces);
-  found.pair_sizes = sizes_of(found.pairs);
-  found.chains = force_chains(r.rods, found.pairs, strong);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> touching;
-  for (const ClosePair &pair : r.pairs) touching[key_of(pair.i, pair.j)] = true;
-  for (const ContactForce &contact : found.pairs)
-    if (!touching.count(key_of(contact.i, contact.j))) ++found.pairs_apart;
-  return found;
-}
-
-Forces wall_forces_of(std::vector<ContactForce> forces)
-{
-  Forces found{};
-  found.walls = std::move(forces);
-  found.wall_sizes = sizes_of(found.walls);
-  for (const ContactForce &contact : found.walls)
-    found.sum_on_walls = found.sum_on_walls + contact.force;
-  return found;
-}
-
-double mean_cylinder_over_diameter(const std::vector<Rod> &rods)
-{
-  return mean_of(rods, [](const Rod &rod) { return rod.capsule.aspect_ratio() - 1.0; }).mean;
-}
-
-Result measure(const Bed &bed, const std::optional<Vessel> &vessel, const Options &options,
-               ForceFiles &force_files)
-{
-  Result r{};
-  r.step = bed.frame.step;
-  r.rods = bed.rods.size();
-  double diameter = 0.0;
-  for (const Rod &rod : bed.rods) diameter = std::max(diameter, 2.0 * rod.capsule.radius);
-  const double gap = options.gap * diameter, doubt = doubtful_gap * diameter;
-  r.pairs = close_pairs(bed.rods, periodicity_of(bed.frame), gap + doubt);
-  r.doubtful_pairs = std::count_if(r.pairs.begin(), r.pairs.end(), [&](const ClosePair &pair) {
-    return pair.gap > gap - doubt;
-  });
-  r.pairs.erase(std::remove_if(r.pairs.begin(), r.pairs.end(),
-                               [&](const ClosePair &pair) { return !(pair.gap < gap); }),
-                r.pairs.end());
-  if (vessel) {
-    need_rods_inside(bed, *vessel);
-    r.walls = wall_contacts(bed.rods, *vessel, gap);
-  }
-  r.pair_numbers = r.all_numbers = pair_contact_numbers(r.rods, r.pairs);
-  add_wall_contacts(r.all_numbers, r.walls);
-
-  const std::vector<Vec3> axes = axes_of(bed.rods);
-  r.sin_gamma_of_all = axes.size() < 2 ? none : mean_sin_gamma(axes);
-  r.kinds = contact_kinds(bed.rods, r.pairs);
-  r.uncorrelated = axes.size() < 2
-                       ? ContactKinds{none, none, none}
-                       : uncorrelated_contact_kinds(mean_cylinder_over_diameter(bed.rods),
-                                                    r.sin_gamma_of_all);
-  r.side_position = mean_of(side_positions(bed.rods, r.pairs));
-  std::vector<double> sines;
-  for (const ClosePair &pair : r.pairs)
-    if (!bed.rods[pair.i].is_sphere() && !bed.rods[pair.j].is_sphere())
-      sines.push_back(pair.sin_gamma);
-  r.sin_gamma = mean_of(sines);
-  r.overlap = spread_of(pair_overlaps(bed.rods, r.pairs));
-  r.wall_overlap = spread_of(wall_overlaps(bed.rods, r.walls));
-
-  if (auto forces = force_files.at(bed, LocalKind::pairs))
-    r.pair_forces = pair_forces_of(std::move(*forces), r, options.strong);
-  if (auto forces = force_files.at(bed, LocalKind::walls))
-    r.wall_forces = wall_forces_of(std::move(*forces));
-  return r;
-}
-
-std::vector<double> summary_row(const Result &r)
-{
-  const auto as_number = [](std::uint32_t count) { return static_cast<double>(count); };
-  const MeanWithError per_rod = mean_of(r.pair_numbers, as_number);
-  const MeanWithError with_walls = mean_of(r.all_numbers, as_number);
-  const double bare = number(std::count(r.all_numbers.begin(), r.all_numbers.end(), 0u)) /
-                      number(r.rods);
-  std::vector<double> row{number(r.step),
-                          number(r.rods),
-                          number(r.pairs.size()),
-                          number(r.doubtful_pairs),
-                          number(r.walls.size()),
-                          per_rod.mean,
-                          per_rod.error,
-                          with_walls.mean,
-                          with_walls.error,
-                          bare,
-                          fraction_error(bare, r.rods)};
-  for (const double part : {r.kinds.side_side, r.kinds.side_end, r.kinds.end_end})
-    row.insert(row.end(), {part, fraction_error(part, r.pairs.size())});
-  row.insert(row.end(), {r.uncorrelated.side_side, r.uncorrelated.side_end, r.uncorrelated.end_end,
-                         r.side_position.mean, r.side_position.error, r.sin_gamma.mean,
-                         r.sin_gamma.error, r.sin_gamma_of_all, r.overlap.mean.mean,
-                         r.overlap.mean.error, r.overlap.root_mean_square, r.overlap.largest,
-                         r.wall_overlap.mean.mean, r.wall_overlap.mean.error,
-                         r.wall_overlap.largest});
-  const Spread pairs = r.pair_forces ? spread_of(r.pair_forces->pair_sizes) : spread_of({});
-  const Spread walls = r.wall_forces ? spread_of(r.wall_forces->wall_sizes) : spread_of({});
-  const Vec3 on_walls = r.wall_forces ? r.wall_forces->sum_on_walls : Vec3{none, none, none};
-  row.insert(row.end(),
-             {r.pair_forces ? number(r.pair_forces->pairs.size()) : none, pairs.mean.mean,
-              pairs.mean.error, pairs.root_mean_square, pairs.largest,
-              r.wall_forces ? number(r.wall_forces->walls.size()) : none, walls.mean.mean,
-              walls.mean.error, walls.largest, on_walls.x, on_walls.y, on_walls.z});
-  if (!r.pair_forces || r.pair_forces->pairs.empty()) {
-    row.insert(row.end(), 8, none);
-    return row;
-  }
-  const ForceChains &chains = r.pair_forces->chains;
-  const double strong = number(chains.strong) / number(r.pair_forces->pairs.size());
-  double in_chains = 0.0;
-  for (const std::size_t size : chains.sizes) in_chains += number(size) / number(r.rods);
-  row.insert(row.end(), {strong, fraction_error(strong, r.pair_forces->pairs.size()),
-                         number(chains.sizes.size()), none,
-                         chains.sizes.empty() ? 0.0 : number(chains.sizes[0]), none, in_chains,
-                         fraction_error(in_chains, r.rods)});
-  return row;
-}
-
-Rows number_rows(const Result &r)
-{
-  const std::uint32_t most = *std::max_element(r.all_numbers.begin(), r.all_numbers.end());
-  const auto count = [](const std::vector<std::uint32_t> &numbers, std::uint32_t wanted) {
-    return number(std::count(numbers.begin(), numbers.end(), wanted));
-  };
-  Rows rows;
-  for (std::uint32_t k = 0; k <= most; ++k) {
-    const double pairs = count(r.pair_numbers, k), all = count(r.all_numbers, k);
-    const double n = number(r.rods);
-    rows.push_back({number(r.step), number(k), pairs, pairs / n, fraction_error(pairs / n, r.rods),
-                    all, all / n, fraction_error(all / n, r.rods)});
-  }
-  return rows;
-}
-
-Rows position_rows(const Result &r, const std::vector<Rod> &rods)
-{
-  Rows rows;
-  for (const HistogramBin &bin : histogram(side_positions(rods, r.pairs), 1.0, position_bins))
-    rows.push_back({number(r.step), bin.low, bin.high, number(bin.count), bin.fraction,
-                    bin.fraction_error, bin.density(), bin.density_error()});
-  return rows;
-}
-
-// Each value over the mean of its own kind.
-Rows over_mean_rows(const Result &r, std::vector<double> pairs, std::vector<double> walls,
-                    std::size_t bins)
-{
-  for (std::vector<double> *values : {&pairs, &walls}) {
-    const double scale = mean_of(*values).mean;
-    for (double &value : *values) value /= scale;
-  }
-  const auto of_pairs = histogram(pairs, largest_over_mean, bins);
-  const auto of_walls = histogram(walls, largest_over_mean, bins);
-  Rows rows;
-  for (std::size_t k = 0; k < bins; ++k)
-    rows.push_back({number(r.step), of_pairs[k].low, of_pairs[k].high, number(of_pairs[k].count),
-                    of_pairs[k].density(), of_pairs[k].density_error(), number(of_walls[k].count),
-                    of_walls[k].density(), of_walls[k].density_error()});
-  return rows;
-}
-
-// Chains of 2, 3-4, 5-8 ... rods.
-Rows chain_rows(const Result &r)
-{
-  Rows rows;
-  const std::vector<std::size_t> &sizes = r.pair_forces->chains.sizes;
-  for (std::size_t low = 2, high = 2; low == 2 || low <= sizes.front(); low = high + 1, high *= 2) {
-    const double count = number(std::count_if(sizes.begin(), sizes.end(), [&](std::size_t size) {
-      return size >= low && size <= high;
-    }));
-    rows.push_back({number(r.step), number(low), number(high), count, std::sqrt(count)});
-    if (sizes.empty()) break;
-  }
-  return rows;
-}
-
-Rows contact_rows(const Result &r, const std::vector<Rod> &rods)
-{
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> forces;
-  if (r.pair_forces)
-    for (const ContactForce &contact : r.pair_forces->pairs)
-      forces[key_of(contact.i, contact.j)] = contact.force;
-  Rows rows;
-  for (const ClosePair &pair : r.pairs) {
-    const auto force = forces.find(key_of(pair.i, pair.j));
-    const double size = force == forces.end() ? none : norm(force->second);
-    const bool strong = r.pair_forces && size > r.pair_forces->chains.threshold;
-    rows.push_back({number(r.step), number(rods[pair.i].id), number(rods[pair.j].id), none, pair.s,
-                    pair.t, pair.gap, pair.sin_gamma, size,
-                    strong ? number(r.pair_forces->chains.chain_of_rod[pair.i]) : none});
-  }
-  for (const WallContact &contact : r.walls) {
-    const double half_length = rods[contact.rod].capsule.segment.half_length;
-    rows.push_back({number(r.step), number(rods[contact.rod].id), none,
-                    contact.at_floor ? 1.0 : 2.0, contact.at_plus ? half_length : -half_length,
-                    none, contact.gap, none, none, none});
-  }
-  return rows;
-}
-
-void print_forces(const Result &r, double strong)
-{
-  if (r.pair_forces) {
-    const Forces &forces = *r.pair_forces;
-    const Spread spread = spread_of(forces.pair_sizes);
+  if (b.pair_forces) {
+    const Spread &spread = b.pair_forces->spread;
     fmt::print("  forces between rods   {:9}       mean {:.4g} -+ {:.2g} N, largest {:.4g} N\n",
-               forces.pairs.size(), spread.mean.mean, spread.mean.error, spread.largest);
-    if (forces.pairs_apart > 0)
+               b.pair_forces->contacts.size(), spread.mean.mean, spread.mean.error,
+               spread.largest);
+    if (b.forces_apart > 0)
       fmt::print(
           "                        {:9}       of them between rods that the dump of rods shows "
           "apart\n",
-          forces.pairs_apart);
+          b.forces_apart);
     fmt::print(
         "  strong contacts       {:9}       above {:.3g} of the mean; {} chains, the largest of "
         "{} rods\n",
-        forces.chains.strong, strong, forces.chains.sizes.size(),
-        forces.chains.sizes.empty() ? 0 : forces.chains.sizes[0]);
+        b.chains.strong, strong, b.chains.sizes.size(),
+        b.chains.sizes.empty() ? 0 : b.chains.sizes[0]);
   }
-  if (r.wall_forces) {
-    const Forces &forces = *r.wall_forces;
-    const Spread spread = spread_of(forces.wall_sizes);
-    const Vec3 &total = forces.sum_on_walls;
+  if (b.wall_forces) {
+    const Spread &spread = b.wall_forces->spread;
+    const Vec3 &total = b.wall_forces->sum;
     fmt::print("  forces of walls       {:9}       mean {:.4g} -+ {:.2g} N, largest {:.4g} N\n",
-               forces.walls.size(), spread.mean.mean, spread.mean.error, spread.largest);
+               b.wall_forces->contacts.size(), spread.mean.mean, spread.mean.error,
+               spread.largest);
     fmt::print("                                        together ({:.6g}, {:.6g}, {:.6g}) N\n",
                total.x, total.y, total.z);
   }
 }
 
-void print_table(const Result &r, const std::vector<double> &row, const Options &options,
-                 bool with_walls)
+void print_table(const BedContacts &b, double strong, bool with_walls)
 {
-  const auto value = [&](const char *name) {
-    for (std::size_t k = 0; k < summary_columns.size(); ++k)
-      if (summary_columns[k].name == name) return row[k];
-    throw std::logic_error(name);
+  const auto measured = [](const char *name, const MeanWithError &value, auto... rest) {
+    fmt::print("  {:<22} {:8.4f} -+ {:.4f}   {}\n", name, value.mean, value.error, rest...);
   };
-  fmt::print("step {}: {} rods\n", r.step, r.rods);
-  fmt::print("  contacts a rod         {:8.4f} -+ {:.4f}   ({} between rods)\n",
-             value("contacts_per_rod"), value("contacts_per_rod_error"), r.pairs.size());
-  if (r.doubtful_pairs > 0)
+  fmt::print("step {}: {} rods\n", b.step, b.rods);
+  measured("contacts a rod", b.between_rods.per_rod,
+           fmt::format("({} between rods)", b.pairs.size()));
+  if (b.doubtful_pairs > 0)
     fmt::print(
         "    doubtful             {:8}             pairs within {:g} diameters of touching, which "
         "six digits do not tell\n",
-        r.doubtful_pairs, doubtful_gap);
+        b.doubtful_pairs, doubtful_gap);
   if (with_walls)
-    fmt::print("    with walls           {:8.4f} -+ {:.4f}   ({} at walls)\n",
-               value("contacts_per_rod_with_walls"), value("contacts_per_rod_with_walls_error"),
-               r.walls.size());
-  fmt::print("  rods without contact   {:8.4f} -+ {:.4f}   of all rods\n",
-             value("rods_without_contact_fraction"), value("rods_without_contact_fraction_error"));
-  if (r.pairs.empty()) return print_forces(r, options.strong);
+    measured("  with walls", b.with_walls.per_rod, fmt::format("({} at walls)", b.walls.size()));
+  measured("rods without contact", b.without_contact, "of all rods");
+  if (b.pairs.empty()) return print_forces(b, strong);
+  const auto beside = [](double uncorrelated) { return fmt::format("{:8.4f}", uncorrelated); };
   fmt::print("                         measured             uncorrelated\n");
-  fmt::print("  side to side           {:8.4f} -+ {:.4f}   {:8.4f}\n", r.kinds.side_side,
-             value("side_side_fraction_error"), r.uncorrelated.side_side);
-  fmt::print("  side to end            {:8.4f} -+ {:.4f}   {:8.4f}\n", r.kinds.side_end,
-             value("side_end_fraction_error"), r.uncorrelated.side_end);
-  fmt::print("  end to end             {:8.4f} -+ {:.4f}   {:8.4f}\n", r.kinds.end_end,
-             value("end_end_fraction_error"), r.uncorrelated.end_end);
-  fmt::print("  mean position on side  {:8.4f} -+ {:.4f}   {:8.4f}   (0 centre, 1 end)\n",
-             r.side_position.mean, r.side_position.error, 0.5);
-  fmt::print("  <|sin gamma|>          {:8.4f} -+ {:.4f}   {:8.4f}   (long isotropic rods; of all "
-             "pairs {:.4f} are measured)\n",
-             r.sin_gamma.mean, r.sin_gamma.error, isotropic_contact_sin_gamma, r.sin_gamma_of_all);
-  fmt::print("  overlap / diameter     {:8.2e} -+ {:.1e}   largest {:.2e}\n", r.overlap.mean.mean,
-             r.overlap.mean.error, r.overlap.largest);
-  if (!r.walls.empty())
+  measured("side to side", b.kinds.side_side, beside(b.uncorrelated.side_side));
+  measured("side to end", b.kinds.side_end, beside(b.uncorrelated.side_end));
+  measured("end to end", b.kinds.end_end, beside(b.uncorrelated.end_end));
+  measured("mean position on side", b.side_position, beside(0.5) + "   (0 centre, 1 end)");
+  measured("<|sin gamma|>", b.sin_gamma,
+           fmt::format("{:8.4f}   (long isotropic rods; of all pairs {:.4f} are measured)",
+                       isotropic_contact_sin_gamma, b.sin_gamma_of_all));
+  fmt::print("  overlap / diameter     {:8.2e} -+ {:.1e}   largest {:.2e}\n", b.overlap.mean.mean,
+             b.overlap.mean.error, b.overlap.largest);
+  if (!b.walls.empty())
     fmt::print("    at walls             {:8.2e} -+ {:.1e}   largest {:.2e}\n",
-               r.wall_overlap.mean.mean, r.wall_overlap.mean.error, r.wall_overlap.largest);
-  print_forces(r, options.strong);
+               b.wall_overlap.mean.mean, b.wall_overlap.mean.error, b.wall_overlap.largest);
+  print_forces(b, strong);
 }
 
 // All CSV files of a run.
@@ -496,44 +398,48 @@ class Tables {
   explicit Tables(const Options &o)
       : several_(o.beds.several()),
         bins_(o.bins),
-        summary_(o.csv, summary_columns, several_),
-        numbers_(path(o, "numbers"), number_columns, several_),
-        positions_(path(o, "positions"), position_columns, several_),
-        overlaps_(path(o, "overlaps"), over_mean_columns("overlap"), several_),
+        summary_(o.csv, summary_fields(), several_),
+        numbers_(path(o, "numbers"), number_fields(), several_),
+        positions_(path(o, "positions"), position_fields(), several_),
+        overlaps_(path(o, "overlaps"), over_mean_fields("overlap"), several_),
         forces_(o.local.empty() && o.wall_local.empty() ? "" : path(o, "forces"),
-                over_mean_columns("force"), several_),
-        chains_(o.local.empty() ? "" : path(o, "chains"), chain_columns, several_),
-        contacts_(o.contacts_csv, contact_columns, false)
+                over_mean_fields("force"), several_),
+        chains_(o.local.empty() ? "" : path(o, "chains"), chain_fields(), several_),
+        contacts_(o.contacts_csv, contact_fields(), false)
   {
     if (several_ && !o.contacts_csv.empty())
       throw InputError(fmt::format("--contacts-csv: wanted with one DUMP file only (got {})",
                                    o.beds.dumps.size()));
   }
 
-  void add(const Bed &bed, const Result &r, const std::vector<double> &summary)
+  void add(const Bed &bed, const BedContacts &b)
   {
-    summary_.add({summary});
-    numbers_.add(number_rows(r));
-    positions_.add(position_rows(r, bed.rods));
-    overlaps_.add(over_mean_rows(r, pair_overlaps(bed.rods, r.pairs),
-                                 wall_overlaps(bed.rods, r.walls), bins_));
-    if (r.pair_forces || r.wall_forces)
-      forces_.add(
-          over_mean_rows(r, r.pair_forces ? r.pair_forces->pair_sizes : std::vector<double>{},
-                         r.wall_forces ? r.wall_forces->wall_sizes : std::vector<double>{}, bins_));
-    if (r.pair_forces) chains_.add(chain_rows(r));
-    if (!several_) contacts_.add(contact_rows(r, bed.rods));
+    const auto sizes = [](const std::optional<MeasuredForces> &forces) {
+      return forces ? forces->sizes : std::vector<double>{};
+    };
+    summary_.add(b);
+    numbers_.add_all(number_rows(b));
+    positions_.add_all(position_rows(b, bed.rods));
+    overlaps_.add_all(over_mean_rows(b.step, b.overlaps, b.wall_overlaps, bins_));
+    if (b.pair_forces || b.wall_forces)
+      forces_.add_all(over_mean_rows(b.step, sizes(b.pair_forces), sizes(b.wall_forces), bins_));
+    if (b.pair_forces) chains_.add_all(chain_rows(b));
+    if (!several_) contacts_.add_all(contact_rows(b, bed.rods));
   }
 
   void finish()
   {
     if (several_) {
       fmt::print("means of the files\n");
-      print_means(summary_columns, summary_.combined()[0]);
+      summary_.print_means();
     }
-    for (ResultTable *table :
-         {&summary_, &numbers_, &positions_, &overlaps_, &forces_, &chains_, &contacts_})
-      table->finish();
+    summary_.finish();
+    numbers_.finish();
+    positions_.finish();
+    overlaps_.finish();
+    forces_.finish();
+    chains_.finish();
+    contacts_.finish();
   }
 
  private:
@@ -544,7 +450,11 @@ class Tables {
 
   bool several_;
   std::size_t bins_;
-  ResultTable summary_, numbers_, positions_, overlaps_, forces_, chains_, contacts_;
+  ResultTable<BedContacts> summary_;
+  ResultTable<NumberRow> numbers_;
+  ResultTable<BinRow> positions_, overlaps_, forces_;
+  ResultTable<ChainRow> chains_;
+  ResultTable<ContactRow> contacts_;
 };
 
 void run(const Options &options)
@@ -553,11 +463,12 @@ void run(const Options &options)
   ForceFiles force_files(options);
   Tables tables(options);
   for_each_bed(options.beds, [&](const Bed &bed) {
-    const Result result = measure(bed, vessel, options, force_files);
-    const std::vector<double> summary = summary_row(result);
-    tables.add(bed, result, summary);
+    const BedContacts contacts = measure_contacts(
+        bed, vessel, options.gap, force_files.at(bed, LocalKind::pairs),
+        force_files.at(bed, LocalKind::walls), options.strong);
+    tables.add(bed, contacts);
     if (options.beds.several()) fmt::print("{}: ", bed.frame.path);
-    print_table(result, summary, options, vessel.has_value());
+    print_table(contacts, options.strong, vessel.has_value());
   });
   tables.finish();
 }

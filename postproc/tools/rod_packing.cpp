@@ -88,13 +88,13 @@ void run(Options &options)
   if (options.bin && options.profiles.empty())
     throw InputError("--bin: wanted with --profiles only");
 
-  ResultTable table(options.csv, packing_columns(), several);
+  ResultTable<BedPacking> table(options.csv, packing_fields(), several);
   const auto profile_table = [&](const char *name) {
     const std::string &prefix = options.profiles;
-    return ResultTable(prefix.empty() ? "" : prefix + name, profile_columns(), several);
+    return ResultTable<ProfileRow>(prefix.empty() ? "" : prefix + name, profile_fields(), several);
   };
-  ResultTable height = profile_table("_height.csv");
-  std::optional<ResultTable> radius, wall;
+  ResultTable<ProfileRow> height = profile_table("_height.csv");
+  std::optional<ResultTable<ProfileRow>> radius, wall;
   for_each_bed(options.files, [&](const Bed &bed) {
     const BedPacking result = measure_packing(bed, packing);
     PackingProfiles profiles;
@@ -104,18 +104,18 @@ void run(Options &options)
     }
     if (several) fmt::print("{}: ", bed.frame.path);
     print_table(result);
-    table.add({packing_row(result)});
+    table.add(result);
     if (options.profiles.empty()) return;
-    height.add(profile_rows(bed, profiles.height));
+    height.add_all(profile_rows(bed, profiles.height));
     if (!packing.vessel) return;
     if (!radius) radius.emplace(profile_table("_radius.csv"));
     if (!wall) wall.emplace(profile_table("_wall.csv"));
-    radius->add(profile_rows(bed, profiles.radius));
-    wall->add(profile_rows(bed, profiles.wall));
+    radius->add_all(profile_rows(bed, profiles.radius));
+    wall->add_all(profile_rows(bed, profiles.wall));
   });
   if (several) {
     fmt::print("mean and standard error over {} files\n", options.files.dumps.size());
-    print_means(table.columns(), table.combined()[0]);
+    table.print_means();
   }
   table.finish();
   height.finish();

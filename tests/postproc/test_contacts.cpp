@@ -197,7 +197,7 @@ TEST(Contacts, OfAParallelLattice)
   EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 2u), 4);
   EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 3u), 4 * (side - 2));
   EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 4u), (side - 2) * (side - 2));
-  EXPECT_EQ(contact_kinds(rods, pairs).side_side, 1.0);
+  EXPECT_EQ(contact_kinds(rods, pairs).side_side.mean, 1.0);
   const auto positions = side_positions(rods, pairs);
   EXPECT_EQ(positions.size(), 2 * pairs.size());
   for (const double position : positions) EXPECT_NEAR(position, 0.03 / half, 1e-9);
@@ -228,7 +228,7 @@ TEST(Contacts, OfCrossedLayers)
   const auto numbers = pair_contact_numbers(rods.size(), pairs);
   for (std::size_t k = 0; k < rods.size(); ++k)
     EXPECT_EQ(numbers[k], k < across || k >= across * (layers - 1) ? 5u : 10u);
-  EXPECT_EQ(contact_kinds(rods, pairs).side_side, 1.0);
+  EXPECT_EQ(contact_kinds(rods, pairs).side_side.mean, 1.0);
   auto positions = side_positions(rods, pairs);
   std::sort(positions.begin(), positions.end());
   // Of each rod's five places 0, -+0.03 and -+0.06 of 0.075.
@@ -247,13 +247,15 @@ TEST(Contacts, SidesAndEnds)
                               rod({2 * (h + r) - 1e-5, 0, 0}, {1, 0, 0}, h, r)};
   const auto pairs = close_pairs(rods, {}, 0.0);
   ASSERT_EQ(pairs.size(), 2u);
-  const ContactKinds kinds = contact_kinds(rods, pairs);
-  EXPECT_EQ(kinds.side_side, 0.0);
-  EXPECT_EQ(kinds.side_end, 0.5);
-  EXPECT_EQ(kinds.end_end, 0.5);
+  const CountedKinds kinds = contact_kinds(rods, pairs);
+  EXPECT_EQ(kinds.side_side.mean, 0.0);
+  EXPECT_EQ(kinds.side_end.mean, 0.5);
+  EXPECT_EQ(kinds.end_end.mean, 0.5);
+  // p = (1 + 1)/(2 + 2), of two contacts.
+  EXPECT_NEAR(kinds.end_end.error, std::sqrt(0.5 * 0.5 / 2), 1e-15);
   EXPECT_EQ(side_positions(rods, pairs).size(), 1u);
   EXPECT_NEAR(side_positions(rods, pairs)[0], 0.01 / h, 1e-12);
-  EXPECT_TRUE(std::isnan(contact_kinds(rods, {}).side_side));
+  EXPECT_TRUE(std::isnan(contact_kinds(rods, {}).side_side.mean));
 }
 
 // Rods that know nothing of each other: as many pairs have a gap within -+ shell as the excluded
@@ -277,13 +279,14 @@ TEST(Contacts, OfRodsThatKnowNothingOfEachOther)
   EXPECT_GT(wanted, 10000.0);
   EXPECT_NEAR(many, wanted, 4 * std::sqrt(wanted));
 
-  const ContactKinds found = contact_kinds(rods, pairs), theory = uncorrelated_contact_kinds(x, s);
+  const CountedKinds found = contact_kinds(rods, pairs);
+  const ContactKinds theory = uncorrelated_contact_kinds(x, s);
   EXPECT_NEAR(theory.side_side + theory.side_end + theory.end_end, 1.0, 1e-15);
   const auto scatter = [&](double part) { return 4 * std::sqrt(part * (1 - part) / many); };
   // spread_contact counts nearly parallel rods that touch beside an end as side by side.
-  EXPECT_NEAR(found.side_side, theory.side_side, scatter(theory.side_side) + 0.01);
-  EXPECT_NEAR(found.side_end, theory.side_end, scatter(theory.side_end) + 0.01);
-  EXPECT_NEAR(found.end_end, theory.end_end, scatter(theory.end_end));
+  EXPECT_NEAR(found.side_side.mean, theory.side_side, scatter(theory.side_side) + 0.01);
+  EXPECT_NEAR(found.side_end.mean, theory.side_end, scatter(theory.side_end) + 0.01);
+  EXPECT_NEAR(found.end_end.mean, theory.end_end, scatter(theory.end_end));
   const MeanWithError place = mean_of(side_positions(rods, pairs));
   EXPECT_NEAR(place.mean, 0.5, 4 * place.error);
   std::vector<double> sines;
@@ -326,9 +329,9 @@ TEST(Contacts, HistogramAndSpread)
   const auto bins = histogram({0.1, 0.1, 0.6, 3.0}, 1.0, 2);
   EXPECT_EQ(bins[0].count, 2u);
   EXPECT_EQ(bins[1].count, 1u);
-  EXPECT_EQ(bins[0].fraction, 0.5);
-  EXPECT_EQ(bins[0].density(), 1.0);
-  EXPECT_NEAR(bins[0].fraction_error, std::sqrt(0.5 * 0.5 / 4), 1e-15);  // p = (2 + 1)/(4 + 2)
+  EXPECT_EQ(bins[0].part.mean, 0.5);
+  EXPECT_EQ(bins[0].density().mean, 1.0);
+  EXPECT_NEAR(bins[0].part.error, std::sqrt(0.5 * 0.5 / 4), 1e-15);  // p = (2 + 1)/(4 + 2)
   const Spread spread = spread_of({1.0, 2.0, 2.0});
   EXPECT_NEAR(spread.mean.mean, 5.0 / 3.0, 1e-15);
   EXPECT_NEAR(spread.root_mean_square, std::sqrt(3.0), 1e-15);

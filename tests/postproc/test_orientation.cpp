@@ -38,8 +38,8 @@ TEST(Orientation, EvenDirectionsAreIsotropic)
   EXPECT_NEAR(mean_sin_gamma(axes), isotropic_sin_gamma, 1e-3);
   for (const ElevationBin &bin : elevation_histogram(axes, 20, BinSpacing::equal_solid_angle)) {
     EXPECT_NEAR(bin.isotropic_fraction, 0.05, 1e-12);
-    EXPECT_NEAR(bin.fraction, 0.05, 1e-3);
-    EXPECT_NEAR(bin.density(), 1.0, 0.02);
+    EXPECT_NEAR(bin.part.mean, 0.05, 1e-3);
+    EXPECT_NEAR(bin.density().mean, 1.0, 0.02);
   }
 }
 
@@ -55,7 +55,7 @@ TEST(Orientation, HorizontalDirections)
   const auto bins = elevation_histogram(axes, 9, BinSpacing::equal_angle);
   EXPECT_EQ(bins.front().count, 1000u);
   EXPECT_EQ(bins.back().count, 0u);
-  EXPECT_GT(bins.back().fraction_error, 0.0);  // an empty bin is not certain
+  EXPECT_GT(bins.back().part.error, 0.0);  // an empty bin is not certain
 }
 
 // All along one direction, half of them turned round: a sign carries no meaning.
@@ -82,7 +82,7 @@ TEST(Orientation, HistogramEdges)
   // (1 - 2)^2/2 + (3 - 2)^2/2
   EXPECT_NEAR(chi_squared_isotropic(bins, axes.size()), 1.0, 1e-9);
   // Laplace: p = 4/6, sqrt(p (1 - p)/4); binomial scatter of the null sqrt(1/4 / 4).
-  EXPECT_NEAR(bins[1].fraction_error, std::sqrt(4.0 / 6.0 * 2.0 / 6.0 / 4.0), 1e-12);
+  EXPECT_NEAR(bins[1].part.error, std::sqrt(4.0 / 6.0 * 2.0 / 6.0 / 4.0), 1e-12);
   EXPECT_NEAR(bins[1].isotropic_scatter, 0.25, 1e-12);
 }
 
