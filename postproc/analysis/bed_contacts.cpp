@@ -2,16 +2,14 @@
 #include "analysis/bed_contacts.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <utility>
 
+#include "analysis/numbers.h"
 #include "analysis/orientation_statistics.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 ContactNumbers contact_numbers(const std::vector<std::uint32_t> &of_rods)
 {

@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "analysis/close_pairs.h"
 #include "analysis/input_error.h"
+#include "analysis/numbers.h"
 
 namespace spherocylinder {
 namespace {
 
-constexpr double degrees = 57.295779513082321;  // in a radian
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double most_wall_bins = 10000;
 constexpr double packing_tolerance = 1e-4;  // relative, of the rods' volume in the inner cylinder
 

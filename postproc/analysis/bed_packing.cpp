@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "analysis/close_pairs.h"
 #include "analysis/input_error.h"
+#include "analysis/numbers.h"
 #include "analysis/orientation_statistics.h"
 #include "analysis/overlap_volume.h"
 #include "analysis/packing_theory.h"
@@ -18,8 +18,6 @@
 namespace spherocylinder {
 namespace {
 
-constexpr double degrees = 57.295779513082321;  // in a radian
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t pairs_a_piece = 1024;
 
 AspectRatios aspect_ratios(const std::vector<Rod> &rods)
@@ -118,8 +116,6 @@ class Container {
   }
 
  private:
-  static constexpr double pi = 3.14159265358979323846;
-
   void need_periodic_sides() const
   {
     const DumpFrame &frame = bed_.frame;

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/numbers.h"
 #include "analysis/plane_volume.h"
 #include "analysis/rods.h"
 #include "analysis/section_area.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A sliver need not be known to the same relative error as a rod: its share in any sum is small.
 constexpr double sliver = 1e-3;

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "analysis/numbers.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -63,7 +62,6 @@ CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<Close
 
 ContactKinds uncorrelated_contact_kinds(double x, double mean_sin_gamma)
 {
-  constexpr double pi = 3.14159265358979323846;
   const double sides = 2.0 * mean_sin_gamma * x * x, mixed = 4.0 * pi * x, ends = 4.0 * pi;
   const double all = sides + mixed + ends;
   return {sides / all, mixed / all, ends / all};

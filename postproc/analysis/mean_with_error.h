@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
+
+#include "analysis/numbers.h"
 
 namespace spherocylinder {
 
@@ -19,7 +20,6 @@ MeanWithError mean_of(const Items &items, Quantity quantity)
 {
   const double n = static_cast<double>(items.size());
   if (n == 0.0) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     return {none, none};
   }
   double mean = 0.0;
@@ -40,7 +40,6 @@ MeanWithError mean_of(const Numbers &values)
 inline MeanWithError part_of(std::size_t count, std::size_t n)
 {
   if (n == 0) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     return {none, none};
   }
   const double k = static_cast<double>(count), all = static_cast<double>(n);

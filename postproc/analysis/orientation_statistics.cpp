@@ -3,17 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <vtkMath.h>
 
+#include "analysis/numbers.h"
 #include "analysis/parallel.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double edge_of(std::size_t i, std::size_t bins, BinSpacing spacing)
 {

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/numbers.h"
 #include "analysis/rods.h"
 #include "analysis/section_area.h"
 #include "core/closest_points.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // An overlap need not be known better than this part of a rod.
 constexpr double least = 1e-8;

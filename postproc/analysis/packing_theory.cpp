@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "analysis/numbers.h"
+
 namespace spherocylinder {
 
 double parkhouse_kelly_fraction(double aspect_ratio)
@@ -12,7 +14,6 @@ double parkhouse_kelly_fraction(double aspect_ratio)
 
 double random_contact_fraction(double aspect_ratio, double mean_sin_gamma, double half_contacts)
 {
-  constexpr double pi = 3.14159265358979323846;
   const double x = aspect_ratio - 1.0;
   const double rod = x / 4.0 + 1.0 / 6.0;
   const double excluded = (2.0 * mean_sin_gamma / pi) * x * x + 2.0 * x + 4.0 / 3.0;

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers.h"
 #include "analysis/rods.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Ball of radius r about the origin below z = d.
 double ball_below(double r, double d)

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "analysis/numbers.h"
+
 namespace spherocylinder {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double combined(OverFiles rule, const std::vector<double> &values,
                 const std::vector<double> &values_before)

@@ -7,11 +7,10 @@
 #include <fmt/format.h>
 
 #include "analysis/input_error.h"
+#include "analysis/numbers.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double degrees = 57.295779513082321;  // in a radian
 
 // LIGGGHTS names the output of a compute, fix or variable c_ID, f_ID, v_ID: ID alone will do.
 bool stands_for(const std::string &column, const std::string &name)

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers.h"
+
 namespace spherocylinder {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double dot(const Point2 &a, const Point2 &b) { return a.t * b.t + a.z * b.z; }
 double cross(const Point2 &a, const Point2 &b) { return a.t * b.z - a.z * b.t; }

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "analysis/input_error.h"
+#include "analysis/numbers.h"
 #include "analysis/parallel.h"
 #include "analysis/plane_volume.h"
 
 namespace spherocylinder {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double golden_angle = 2.39996322972865332;
 constexpr std::size_t rods_a_piece = 2048;
 constexpr double most_bins = 100000.0;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "analysis/csv_table.h"
 #include "analysis/input_error.h"
 #include "analysis/mean_with_error.h"
+#include "analysis/numbers.h"
 
 namespace spherocylinder {
 namespace {
@@ -111,7 +111,6 @@ std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
   std::vector<PackingMean> means;
   std::sort(kinds.begin(), kinds.end(),
             [](const PackingBeds &a, const PackingBeds &b) { return a.lambda < b.lambda; });
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const std::string &group : groups)
     for (const PackingBeds &kind : kinds)
       if (kind.group == group)

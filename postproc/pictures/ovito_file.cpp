@@ -9,11 +9,10 @@
 #include <fmt/format.h>
 
 #include "analysis/input_error.h"
+#include "analysis/numbers.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double degrees = 57.295779513082321;  // in a radian
 
 bool is_said_otherwise(const std::string &column)
 {

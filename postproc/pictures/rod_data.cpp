@@ -11,12 +11,11 @@
 #include <vtkPointData.h>
 #include <vtkTypeInt64Array.h>
 
+#include "analysis/numbers.h"
 #include "analysis/rod_quantity.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr double degrees = 57.295779513082321;  // in a radian
 
 // One value per entry of `rod_of`: that of the rod the cell or point belongs to.
 template <class Array, class Value>

@@ -12,12 +12,11 @@
 #include "analysis/beds.h"
 #include "analysis/contact_statistics.h"
 #include "analysis/input_error.h"
+#include "analysis/numbers.h"
 
 using namespace spherocylinder;
 
 namespace {
-
-constexpr double degrees = 57.295779513082321;  // in a radian
 
 const std::map<std::string, BinSpacing> spacings{
     {"solid-angle", BinSpacing::equal_solid_angle}, {"angle", BinSpacing::equal_angle}};

@@ -10,6 +10,7 @@
 #include "analysis/beds.h"
 #include "analysis/command_line.h"
 #include "analysis/input_error.h"
+#include "analysis/numbers.h"
 #include "analysis/orientation_statistics.h"
 #include "analysis/packing_theory.h"
 #include "analysis/result_table.h"
@@ -17,8 +18,6 @@
 using namespace spherocylinder;
 
 namespace {
-
-constexpr double degrees = 57.295779513082321;  // in a radian
 
 struct Options {
   BedFiles files;
