@@ -54,6 +54,12 @@ std::optional<Vessel> VesselOptions::vessel() const
                 floor.value_or(0.0)};
 }
 
+std::optional<Vessel> VesselOptions::walled_vessel() const
+{
+  if (floor && !radius) throw InputError("--floor: wanted with --vessel-radius only");
+  return vessel();
+}
+
 void add_vessel_options(CLI::App &app, VesselOptions &options)
 {
   app.add_option("--vessel-radius", options.radius, "radius of the vessel (m)")

@@ -41,6 +41,9 @@ struct VesselOptions {
   // Nothing if neither radius nor floor is given; a floor alone is a vessel of infinite radius.
   // Throws InputError for a centre without a radius.
   std::optional<Vessel> vessel() const;
+
+  // The same, to be drawn: a floor without a radius is refused too.
+  std::optional<Vessel> walled_vessel() const;
 };
 
 // Adds --vessel-radius, --centre and --floor.

@@ -13,6 +13,7 @@
 #include <vtkNamedColors.h>
 #include <vtkNew.h>
 
+#include "analysis/beds.h"
 #include "analysis/command_line.h"
 #include "analysis/frame_choice.h"
 #include "analysis/input_error.h"
@@ -30,9 +31,8 @@ struct Options {
   InputOptions input;
   std::string out;
   std::string size = "1200x900";
-  std::vector<double> centre{0.0, 0.0};
-  std::optional<double> vessel_radius, vessel_height, top, timestep;
-  double floor = 0.0;
+  VesselOptions vessel;
+  std::optional<double> vessel_height, top, timestep;
   bool cut = false;
   std::string film;
   double rate = 10.0;
@@ -98,41 +98,37 @@ std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std
 }
 
 // Up to --top, or only the part of the vessel that holds rods, and a little more.
-UprightCylinder vessel_around(const std::vector<Rod> &rods, const Options &options)
+UprightCylinder drawn_part(const Vessel &vessel, const std::vector<Rod> &rods,
+                           const Options &options)
 {
-  UprightCylinder vessel{options.centre[0], options.centre[1], *options.vessel_radius,
-                         options.floor, 0.0};
-  if (options.top) {
-    vessel.z_high = *options.top;
-    return vessel;
-  }
-  const double bed = bed_height(rods).highest_point - options.floor;
-  double height = 1.1 * std::max(bed, 0.25 * *options.vessel_radius);
+  if (options.top) return vessel_up_to(vessel, *options.top);
+  const double bed = bed_height(rods).highest_point - vessel.floor;
+  double height = 1.1 * std::max(bed, 0.25 * vessel.radius);
   if (options.vessel_height) height = std::min(height, *options.vessel_height);
-  vessel.z_high = options.floor + height;
-  return vessel;
+  return vessel_up_to(vessel, vessel.floor + height);
 }
 
-bool is_shown(const Rod &rod, const Options &options, const Vec3 &towards)
+bool is_shown(const Rod &rod, const std::optional<Vessel> &vessel, const Options &options,
+              const Vec3 &towards)
 {
   const Segment &segment = rod.capsule.segment;
   const double highest =
       segment.centre.z + std::abs(segment.axis.z) * segment.half_length + rod.capsule.radius;
   if (options.top && highest > *options.top) return false;
-  const Vec3 from_axis{segment.centre.x - options.centre[0], segment.centre.y - options.centre[1],
-                       0.0};
-  return !options.cut || dot(from_axis, towards) <= 0.0;
+  if (!options.cut) return true;
+  const Vec3 from_axis{segment.centre.x - vessel->x, segment.centre.y - vessel->y, 0.0};
+  return dot(from_axis, towards) <= 0.0;
 }
 
 // The rods that are shown, and their numbers.
 std::vector<Rod> shown_part(const std::vector<Rod> &rods, RodQuantity &colour,
-                            const Options &options)
+                            const std::optional<Vessel> &vessel, const Options &options)
 {
   const Vec3 towards = towards_viewer(view_of(options.view));
   std::vector<Rod> part;
   std::vector<double> values;
   for (std::size_t i = 0; i < rods.size(); ++i) {
-    if (!is_shown(rods[i], options, towards)) continue;
+    if (!is_shown(rods[i], vessel, options, towards)) continue;
     part.push_back(rods[i]);
     values.push_back(colour.values[i]);
   }
@@ -140,18 +136,20 @@ std::vector<Rod> shown_part(const std::vector<Rod> &rods, RodQuantity &colour,
   return part;
 }
 
-void check(const Options &options, bool several)
+void check(const Options &options, const std::optional<Vessel> &vessel, bool several)
 {
-  if (options.top && !options.vessel_radius)
+  if (options.vessel_height && !vessel)
+    throw InputError("--vessel-height: wanted with --vessel-radius only");
+  if (options.top && !vessel)
     throw InputError("--top: needs --vessel-radius, the width of what is shown");
-  if (options.top && *options.top <= options.floor)
-    throw InputError(fmt::format("--top: must be above the floor {} (got {})", options.floor,
+  if (options.top && *options.top <= vessel->floor)
+    throw InputError(fmt::format("--top: must be above the floor {} (got {})", vessel->floor,
                                  *options.top));
-  if (options.cut && !options.vessel_radius)
+  if (options.cut && !vessel)
     throw InputError("--cut: needs --vessel-radius and cuts through the vessel's axis");
   if (options.cut && options.view == "top")
     throw InputError("--cut: needs a view from the side or oblique (got 'top')");
-  if (several && !(options.vessel_radius && options.top))
+  if (several && !(vessel && options.top))
     throw InputError(
         "--frame all: needs --vessel-radius and --top, so that all pictures show the same part");
   if (several && options.range.empty() && options.colour != "elevation")
@@ -193,7 +191,8 @@ void run(const Options &options, char **argv)
   picture.only_vessel = options.top.has_value();
   const FrameChoice choice = parse_frame_choice(options.input.frame);
   const bool several = choice.kind == FrameChoice::Kind::all;
-  check(options, several);
+  const std::optional<Vessel> vessel = options.vessel.walled_vessel();
+  check(options, vessel, several);
 
   std::size_t pictures = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
@@ -207,12 +206,12 @@ void run(const Options &options, char **argv)
       colour.low = options.range[0];
       colour.high = options.range[1];
     }
-    const std::vector<Rod> part = shown_part(rods, colour, options);
+    const std::vector<Rod> part = shown_part(rods, colour, vessel, options);
     if (part.empty() && !options.top)
       throw InputError(fmt::format("{}: step {}: --cut leaves none of its {} rods", frame.path,
                                    frame.step, rods.size()));
     picture.caption = caption_of(frame, rods, part.size(), options.timestep);
-    if (options.vessel_radius) picture.vessel = vessel_around(rods, options);
+    if (vessel) picture.vessel = drawn_part(*vessel, rods, options);
     const std::string path = several ? numbered(options.out, ++pictures) : options.out;
     check_writable(path);
     need_display(argv);  // last: whatever is wrong with the input is said before
@@ -246,18 +245,10 @@ int main(int argc, char **argv)
   app.add_option("--range", options.range, "LOW HIGH ends of the colour map")
       ->expected(2)
       ->check(finite_number());
-  app.add_option("--vessel-radius", options.vessel_radius, "draw a vessel of this radius (m)")
-      ->check(positive_number());
+  add_vessel_options(app, options.vessel);
   app.add_option("--vessel-height", options.vessel_height,
                  "height of the vessel (m); only the part with rods in it is drawn")
       ->check(positive_number());
-  app.add_option("--floor", options.floor, "height Z of the vessel's floor (m)")
-      ->check(finite_number())
-      ->capture_default_str();
-  app.add_option("--centre,--center", options.centre, "X Y of the vessel's axis (m)")
-      ->expected(2)
-      ->check(finite_number())
-      ->capture_default_str();
   app.add_option("--top", options.top,
                  "show the vessel from its floor up to this height Z (m) and the rods below it")
       ->check(finite_number());

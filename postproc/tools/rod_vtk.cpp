@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/beds.h"
 #include "analysis/command_line.h"
 #include "analysis/frame_choice.h"
 #include "analysis/input_error.h"
@@ -24,9 +25,8 @@ struct Options {
   std::string out = "rods";
   std::string geometry = "capsules";
   int resolution = 12;
-  std::vector<double> centre{0.0, 0.0};
-  std::optional<double> vessel_radius, vessel_height, timestep;
-  double floor = 0.0;
+  VesselOptions vessel;
+  std::optional<double> vessel_height, timestep;
   bool ovito = false;
 };
 
@@ -37,11 +37,9 @@ double time_of(const DumpFrame &frame, const Options &options)
 }
 
 // The wall and the floor, each in a file of its own; returns their names.
-std::vector<std::string> write_vessel(const Options &options)
+std::vector<std::string> write_vessel(const UprightCylinder &vessel, const std::string &out)
 {
-  const UprightCylinder vessel{options.centre[0], options.centre[1], *options.vessel_radius,
-                               options.floor, options.floor + *options.vessel_height};
-  const std::vector<std::string> files{options.out + "_vessel.vtp", options.out + "_floor.vtp"};
+  const std::vector<std::string> files{out + "_vessel.vtp", out + "_floor.vtp"};
   write_poly_data(files[0], vessel_wall(vessel));
   write_poly_data(files[1], vessel_floor(vessel));
   return files;
@@ -49,12 +47,13 @@ std::vector<std::string> write_vessel(const Options &options)
 
 void run(const Options &options)
 {
-  if (options.vessel_radius.has_value() != options.vessel_height.has_value())
+  const std::optional<Vessel> walls = options.vessel.walled_vessel();
+  if (walls.has_value() != options.vessel_height.has_value())
     throw InputError("--vessel-radius, --vessel-height: must be given together (got one of them)");
   const FrameChoice choice = parse_frame_choice(options.input.frame);
   TimeSeries series(options.out + ".pvd");
   std::optional<OvitoFile> ovito;  // opened only once there is something to write
-  std::vector<std::string> vessel;
+  std::vector<std::string> vessel;  // files
   std::size_t frames = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
     const std::vector<Rod> rods = rods_of(frame);
@@ -66,7 +65,9 @@ void run(const Options &options)
     if (series.has(file))
       throw InputError(
           fmt::format("{}: step {} appears twice, wanted each step once", frame.path, frame.step));
-    if (++frames == 1 && options.vessel_radius) vessel = write_vessel(options);
+    if (++frames == 1 && walls)
+      vessel = write_vessel(vessel_up_to(*walls, walls->floor + *options.vessel_height),
+                            options.out);
     write_poly_data(file, geometry.mesh);
     series.add(time, file);
     for (std::size_t i = 0; i < vessel.size(); ++i)
@@ -101,17 +102,10 @@ int main(int argc, char **argv)
   app.add_option("--timestep", options.timestep,
                  "seconds a step, so that the series has times, not steps")
       ->check(positive_number());
-  app.add_option("--vessel-radius", options.vessel_radius,
-                 "also write PREFIX_vessel.vtp, a wall of this radius (m), and PREFIX_floor.vtp")
+  add_vessel_options(app, options.vessel);
+  app.add_option("--vessel-height", options.vessel_height,
+                 "with --vessel-radius: also write the wall up to this height (m), "
+                 "PREFIX_vessel.vtp, and PREFIX_floor.vtp")
       ->check(positive_number());
-  app.add_option("--vessel-height", options.vessel_height, "height of that wall (m)")
-      ->check(positive_number());
-  app.add_option("--floor", options.floor, "height Z of the vessel's floor (m)")
-      ->check(finite_number())
-      ->capture_default_str();
-  app.add_option("--centre,--center", options.centre, "X Y of the vessel's axis (m)")
-      ->expected(2)
-      ->check(finite_number())
-      ->capture_default_str();
   return run_tool(app, argc, argv, [&] { run(options); });
 }

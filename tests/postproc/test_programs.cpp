@@ -611,6 +611,11 @@ TEST_F(Programs, WrongOptions)
   expect_refusal("rod_render bed.dump --out a.png --film a.mp4", "--film: needs --frame all");
   expect_refusal("rod_render bed.dump --out a.png --film a.gif", "must end in .mp4 or .webm");
   expect_refusal("rod_render bed.dump --out a.png --top 1", "--top: needs --vessel-radius");
+  for (const char *tool : {"rod_render bed.dump --out a.png", "rod_vtk bed.dump"}) {
+    expect_refusal(std::string(tool) + " --floor 0", "--floor: wanted with --vessel-radius only");
+    expect_refusal(std::string(tool) + " --centre 0 0", "--centre: wanted with --vessel-radius");
+    expect_refusal(std::string(tool) + " --vessel-height 1", "--vessel-height");
+  }
   expect_refusal("rod_render bed.dump --out a.png --top 1 --vessel-radius 1 --floor 2",
                  "--top: must be above the floor 2 (got 1)");
   expect_refusal("rod_render bed.dump --out a.png --cut", "--cut: needs --vessel-radius");
