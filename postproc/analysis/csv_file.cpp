@@ -11,18 +11,18 @@
 namespace spherocylinder {
 
 CsvFile::CsvFile(const std::string &path, const std::vector<std::string> &names)
-    : path_(path), columns_(names.size())
+    : columns_(names.size())
 {
-  if (path_.empty()) return;
-  file_.open(path_);
-  if (!file_) throw InputError(fmt::format("{}: cannot be opened for writing", path_));
+  if (path.empty()) return;
+  output_.emplace(path);
+  file_.open(output_->working_path());
   file_ << fmt::format("{}\n", fmt::join(names, ","));
 }
 
 void CsvFile::row(const std::vector<double> &values)
 {
   if (values.size() != columns_) throw std::logic_error("CSV row and header differ in length");
-  if (path_.empty()) return;
+  if (!output_) return;
   std::string line;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i > 0) line += ',';
@@ -33,9 +33,11 @@ void CsvFile::row(const std::vector<double> &values)
 
 void CsvFile::close()
 {
-  if (path_.empty()) return;
+  if (!output_) return;
   file_.close();
-  if (!file_) throw InputError(fmt::format("{}: could not be written to its end", path_));
+  if (!file_)
+    throw InputError(fmt::format("{}: could not be written to its end", output_->path()));
+  output_->finish();
 }
 
 }  // namespace spherocylinder

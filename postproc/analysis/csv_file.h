@@ -3,8 +3,11 @@
 #pragma once
 
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "analysis/output_file.h"
 
 namespace spherocylinder {
 
@@ -15,11 +18,12 @@ class CsvFile {
 
   void row(const std::vector<double> &values);  // NaN is written as an empty field
 
-  // Call when all is written: throws InputError if some of it did not reach the disk.
+  // Call when all is written: throws InputError if some of it did not reach the disk. Without it
+  // the file stays as it was.
   void close();
 
  private:
-  std::string path_;
+  std::optional<OutputFile> output_;
   std::ofstream file_;
   std::size_t columns_;
 };

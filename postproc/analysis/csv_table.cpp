@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "analysis/input_error.h"
+#include "analysis/output_file.h"
 #include "analysis/text.h"
 
 namespace spherocylinder {
@@ -37,7 +38,9 @@ std::vector<std::string> split(const std::string &line, const std::string &place
 
 CsvTable::CsvTable(const std::string &path) : path_(path), header_{0, {}}
 {
-  if (std::filesystem::is_directory(path))
+  note_input(path);
+  std::error_code unknown;  // said when it is opened
+  if (std::filesystem::is_directory(path, unknown))
     throw InputError(fmt::format("{}: is a folder, wanted a CSV file", path));
   std::ifstream file(path);
   if (!file) throw InputError(fmt::format("{}: cannot be opened", path));

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "analysis/input_error.h"
+#include "analysis/output_file.h"
 
 namespace spherocylinder {
 namespace {
@@ -21,14 +22,15 @@ constexpr unsigned compressed_bytes = 1u << 18;  // zlib's own buffer
 
 LineSource::LineSource(const std::string &path) : path_(path), buffer_(first_block_bytes)
 {
-  if (std::filesystem::is_directory(path))
+  note_input(path);
+  std::error_code unknown;  // said when it is opened; a pipe has no size
+  if (std::filesystem::is_directory(path, unknown))
     throw InputError(fmt::format("{}: is a folder, wanted a dump file", path));
   file_.reset(gzopen(path.c_str(), "rb"));
   if (!file_)
     throw InputError(
         fmt::format("{}: cannot be opened for reading: {}", path, std::strerror(errno)));
   gzbuffer(file_.get(), compressed_bytes);
-  std::error_code unknown;  // a pipe has no size
   const auto bytes = std::filesystem::file_size(path, unknown);
   if (!unknown) file_bytes_ = static_cast<double>(bytes);
 }

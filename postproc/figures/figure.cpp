@@ -327,15 +327,15 @@ void add_view_box(const std::string &path, const Figure &figure)
   if (!file) throw InputError(fmt::format("{}: could not be written to its end", path));
 }
 
-void write_svg(vtkRenderWindow *window, const std::string &path, const Figure &figure)
+void write_svg(vtkRenderWindow *window, const OutputFile &file, const Figure &figure)
 {
   vtkNew<vtkSVGExporter> exporter;
   exporter->SetRenderWindow(window);
-  exporter->SetFileName(path.c_str());
-  exporter->SetTitle(std::filesystem::path(path).stem().c_str());
+  exporter->SetFileName(file.working_path().c_str());
+  exporter->SetTitle(std::filesystem::path(file.path()).stem().c_str());
   exporter->SetDescription("");
   exporter->Write();
-  add_view_box(path, figure);
+  add_view_box(file.working_path(), figure);
 }
 
 }  // namespace
@@ -353,20 +353,19 @@ Axis round_axis(const std::string &title, double low, double high)
   return axis;
 }
 
-void check_figure_path(const std::string &path)
+OutputFile open_figure(const std::string &path)
 {
   if (ending_of(path) != ".png" && ending_of(path) != ".svg")
     throw InputError(fmt::format("--out: must end in .png or .svg (got '{}')", path));
-  if (!std::ofstream(path, std::ios::app))
-    throw InputError(fmt::format("{}: cannot be opened for writing", path));
   if (!std::ifstream(FIGURE_FONT))
     throw InputError(
         fmt::format("the font {} cannot be read (Debian package fonts-dejavu-core)", FIGURE_FONT));
+  return OutputFile(path);
 }
 
-void write_figure(const std::string &path, const Figure &figure)
+void write_figure(OutputFile &file, const Figure &figure)
 {
-  const bool is_png = ending_of(path) == ".png";
+  const bool is_png = ending_of(file.path()) == ".png";
   const double scale = is_png ? 2.0 : 1.0;
   vtkNew<FigureItem> item;
   item->set(figure, scale);
@@ -383,9 +382,10 @@ void write_figure(const std::string &path, const Figure &figure)
   window->AddRenderer(renderer);
   window->Render();
   if (is_png)
-    write_png(window, path);
+    write_png(window, file.working_path());
   else
-    write_svg(window, path, figure);
+    write_svg(window, file, figure);
+  file.finish();
 }
 
 }  // namespace spherocylinder

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/output_file.h"
+
 namespace spherocylinder {
 
 struct Colour {
@@ -109,7 +111,7 @@ struct Figure {
 
 // .png (twice as many pixels as units) or .svg (text as outlines) by the ending of the path. Throws
 // InputError for another ending, or if the file cannot be written.
-void check_figure_path(const std::string &path);
-void write_figure(const std::string &path, const Figure &figure);
+OutputFile open_figure(const std::string &path);
+void write_figure(OutputFile &file, const Figure &figure);
 
 }  // namespace spherocylinder

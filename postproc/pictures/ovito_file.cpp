@@ -32,9 +32,8 @@ std::array<double, 4> quaternion_to(Vec3 axis)
 
 }  // namespace
 
-OvitoFile::OvitoFile(const std::string &path) : path_(path), file_(path)
+OvitoFile::OvitoFile(const std::string &path) : output_(path), file_(output_.working_path())
 {
-  if (!file_) throw InputError(fmt::format("{}: cannot be opened for writing", path_));
 }
 
 void OvitoFile::add(const DumpFrame &frame, const std::vector<Rod> &rods, double time)
@@ -84,7 +83,8 @@ void OvitoFile::add(const DumpFrame &frame, const std::vector<Rod> &rods, double
 void OvitoFile::close()
 {
   file_.close();
-  if (!file_) throw InputError(fmt::format("{}: could not be written to its end", path_));
+  if (!file_) throw InputError(fmt::format("{}: could not be written to its end", output_.path()));
+  output_.finish();
 }
 
 }  // namespace spherocylinder

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/dump_frame.h"
+#include "analysis/output_file.h"
 #include "analysis/rods.h"
 
 namespace spherocylinder {
@@ -26,7 +27,7 @@ class OvitoFile {
   void close();
 
  private:
-  std::string path_;
+  OutputFile output_;
   std::ofstream file_;
 };
 

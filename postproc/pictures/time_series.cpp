@@ -13,18 +13,19 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include "analysis/input_error.h"
+#include "analysis/output_file.h"
 
 namespace spherocylinder {
 
 void write_poly_data(const std::string &path, vtkPolyData *data)
 {
-  // Asked here since VTK's own complaint would fill a page.
-  if (!std::ofstream(path)) throw InputError(fmt::format("{}: cannot be opened for writing", path));
+  OutputFile output(path);
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(path.c_str());
+  writer->SetFileName(output.working_path().c_str());
   writer->SetInputData(data);
   if (writer->Write() == 0)
     throw InputError(fmt::format("{}: could not be written to its end", path));
+  output.finish();
 }
 
 void TimeSeries::add(double time, const std::string &file, int part)
@@ -55,11 +56,13 @@ void TimeSeries::write() const
     data_set->SetAttribute("file", entry.file.c_str());
     collection->AddNestedElement(data_set);
   }
-  std::ofstream file(path_);
+  OutputFile output(path_);
+  std::ofstream file(output.working_path());
   file << "<?xml version=\"1.0\"?>\n";
   root->PrintXML(file, vtkIndent());
   file.close();
-  if (!file) throw InputError(fmt::format("{}: could not be written", path_));
+  if (!file) throw InputError(fmt::format("{}: could not be written to its end", path_));
+  output.finish();
 }
 
 }  // namespace spherocylinder

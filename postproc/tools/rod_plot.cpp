@@ -36,9 +36,10 @@ Names names_of(const std::vector<std::string> &words)
 
 void write_all(const Figure &figure, const Options &options, char **argv)
 {
-  for (const std::string &path : options.out) check_figure_path(path);
+  std::vector<OutputFile> files;
+  for (const std::string &path : options.out) files.push_back(open_figure(path));
   need_display(argv);  // starts the program again: nothing is printed before
-  for (const std::string &path : options.out) write_figure(path, figure);
+  for (OutputFile &file : files) write_figure(file, figure);
 }
 
 void plot_packing(const Options &options, char **argv)

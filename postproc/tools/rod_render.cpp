@@ -17,6 +17,7 @@
 #include "analysis/command_line.h"
 #include "analysis/frame_choice.h"
 #include "analysis/input_error.h"
+#include "analysis/output_file.h"
 #include "analysis/packing_measures.h"
 #include "analysis/text.h"
 #include "pictures/bed_picture.h"
@@ -164,12 +165,6 @@ void check(const Options &options, const std::optional<Vessel> &vessel, bool sev
                                  options.range[0], options.range[1]));
 }
 
-void check_writable(const std::string &path)
-{
-  if (!std::ofstream(path, std::ios::app))
-    throw InputError(fmt::format("{}: cannot be opened for writing", path));
-}
-
 // PREFIX_0001.png and so on for PREFIX.png.
 std::string numbered(const std::string &path, std::size_t number)
 {
@@ -213,9 +208,10 @@ void run(const Options &options, char **argv)
     picture.caption = caption_of(frame, rods, part.size(), options.timestep);
     if (vessel) picture.vessel = drawn_part(*vessel, rods, options);
     const std::string path = several ? numbered(options.out, ++pictures) : options.out;
-    check_writable(path);
+    OutputFile output(path);
     need_display(argv);  // last: whatever is wrong with the input is said before
-    write_bed_picture(path, part, colour, picture);
+    write_bed_picture(output.working_path(), part, colour, picture);
+    output.finish();
     if (several) fmt::print("{}\n", path);
   });
   if (several && pictures == 0)

@@ -82,14 +82,40 @@ class Programs : public ScratchFolder {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
+  // All files of the test's folder but those that `run` writes.
+  std::map<std::string, std::string> files() const
+  {
+    std::map<std::string, std::string> found;
+    for (const auto &entry : std::filesystem::recursive_directory_iterator(folder()))
+      if (entry.is_regular_file())
+        found[entry.path()] = read(entry.path().lexically_relative(folder()));
+    found.erase(folder() / "out.txt");
+    found.erase(folder() / "error.txt");
+    return found;
+  }
+
   // Exit code 2 and a single sentence, headed by the program's name, that holds `words`.
-  void expect_refusal(const std::string &command, const std::string &words)
+  void expect_sentence(const std::string &command, const std::string &words)
   {
     EXPECT_EQ(run(command), 2) << command;
-    EXPECT_EQ(out_, "") << command;
     EXPECT_EQ(count_lines(error_), 1u) << error_;
     EXPECT_EQ(error_.find(command.substr(0, command.find(' ')) + ": "), 0u) << error_;
     EXPECT_NE(error_.find(words), std::string::npos) << error_;
+  }
+
+  // And no file is there that was not, and none has changed.
+  void expect_failure(const std::string &command, const std::string &words)
+  {
+    const auto before = files();
+    expect_sentence(command, words);
+    EXPECT_TRUE(files() == before) << command;
+  }
+
+  // The same before anything was measured.
+  void expect_refusal(const std::string &command, const std::string &words)
+  {
+    expect_failure(command, words);
+    EXPECT_EQ(out_, "") << command;
   }
 
   // A heap at rest, poured by the deck in.heap: heap.dump, heap.pairs and heap.walls.
@@ -679,7 +705,7 @@ TEST_F(Programs, FilmIsMadeByFfmpeg)
   ASSERT_EQ(run("env PATH=bin:\"$PATH\" " + command), 0) << error_;
   EXPECT_EQ(out_, "p_0001.png\np_0002.png\n");
   const std::string called = read("called.txt");
-  for (const char *words : {"-framerate 25 ", "-i p_%04d.png ", "libvpx-vp9", " p.webm\n"})
+  for (const char *words : {"-framerate 25 ", "-i p_%04d.png ", "libvpx-vp9", " p.part.webm\n"})
     EXPECT_NE(called.find(words), std::string::npos) << called;
   fake("exit 3");
   EXPECT_EQ(run("env PATH=bin:\"$PATH\" " + command), 2);
@@ -709,11 +735,50 @@ TEST_F(Programs, PartsOfABedAreLeftOut)
   EXPECT_NE(cut, picture("three.dump --top 0.4 --cut"));
 }
 
+// A failure after the first of two frames or files, or of the last of several outputs, leaves what
+// was there.
+TEST_F(Programs, WriteWholeFilesOrNone)
+{
+  write("twice.dump", bed_ + "ITEM: TIMESTEP\nnonsense\n");
+  write("old.csv", "old\n");
+  expect_failure("rod_packing twice.dump --frame all --vessel-radius 0.305 --csv old.csv", ":");
+  expect_failure("rod_packing seed1.dump twice.dump --vessel-radius 0.305 --csv new.csv", ":");
+  expect_failure("rod_contacts bed.dump --csv old.csv --tables nowhere/x", "nowhere/x");
+  expect_failure("rod_orientation bed.dump --csv old.csv --summary-csv nowhere.csv/x", "nowhere");
+  expect_failure("rod_plot packing old.csv --out a.svg nowhere/b.png", ":");
+  EXPECT_EQ(read("old.csv"), "old\n");
+  // What a link leads to is written, and the link stays; devices are written to.
+  write("target.csv", "old\n");
+  std::filesystem::create_symlink("target.csv", folder() / "link.csv");
+  EXPECT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv link.csv"), 0) << error_;
+  EXPECT_TRUE(std::filesystem::is_symlink(folder() / "link.csv"));
+  EXPECT_NE(read("target.csv").find("vf_whole"), std::string::npos);
+  EXPECT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv /dev/null"), 0) << error_;
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv /dev/stdout | cat"), 0) << error_;
+  EXPECT_TRUE(std::filesystem::is_symlink("/dev/stdout"));
+  EXPECT_NE(out_.find("vf_whole"), std::string::npos);
+}
+
+TEST_F(Programs, DoNotWriteOverWhatTheyRead)
+{
+  const std::string reads = "is read by this run", twice = "is named twice";
+  expect_failure("rod_packing bed.dump --vessel-radius 0.305 --csv bed.dump", reads);
+  expect_failure("rod_packing bed.dump --vessel-radius 0.305 --csv ./bed.dump", reads);
+  std::filesystem::create_hard_link(folder() / "bed.dump", folder() / "other.csv");
+  expect_failure("rod_packing bed.dump --vessel-radius 0.305 --csv other.csv", reads);
+  expect_failure("rod_contacts bed.dump seed1.dump --csv seed1.dump", "is written by this run");
+  expect_failure("rod_orientation bed.dump --csv a.csv --summary-csv a.csv", twice);
+  expect_failure("rod_render bed.dump --out bed.dump", "bed.dump");
+}
+
 TEST_F(Programs, NoDisplayAndNoXvfb)
 {
   // A PATH with nothing but the program.
   std::filesystem::create_symlink(programs + "/rod_render", folder() / "rod_render");
+  const auto before = files();
   EXPECT_EQ(run("env -u DISPLAY PATH=. ./rod_render bed.dump --out a.png"), 2);
+  EXPECT_TRUE(files() == before);
   EXPECT_NE(error_.find("rod_render: no X display can be reached and the program xvfb-run is not "
                         "installed"),
             std::string::npos)
@@ -759,7 +824,8 @@ TEST_F(Programs, MalformedFiles)
     expect_refusal("rod_orientation a.dump", bad.words);
     expect_refusal("rod_contacts a.dump", bad.words);
     expect_refusal("rod_render a.dump --out a.png", bad.words);
-    if (bad.words != "holds no rods") expect_refusal("rod_vtk a.dump", bad.words);
+    // Frames before the fault are whole files.
+    if (bad.words != "holds no rods") expect_sentence("rod_vtk a.dump", bad.words);
   }
   expect_refusal("rod_packing missing.dump --vessel-radius 1", "missing.dump: cannot be opened");
   expect_refusal("rod_packing . --vessel-radius 1", ".: is a folder");

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A file that a program writes, whole or not at all.
+#pragma once
+
+#include <string>
+
+namespace spherocylinder {
+
+// What is written goes to a file beside PATH (bed.part.csv for bed.csv) and takes PATH's place at the
+// end: until then, and after a failure, what was there before stays. A name that stands for no
+// ordinary file (/dev/stdout, a pipe) is written to directly.
+class OutputFile {
+ public:
+  // Throws InputError if nothing can be written there, if this run reads the same file, or if it
+  // is writing it already.
+  explicit OutputFile(const std::string &path);
+  OutputFile(OutputFile &&other) noexcept;
+  OutputFile &operator=(OutputFile &&) = delete;
+  ~OutputFile();
+
+  const std::string &path() const { return path_; }
+  const std::string &working_path() const { return working_path_; }  // where to write
+
+  // To be called when all is written and closed. Throws InputError if it cannot take its place.
+  void finish();
+
+ private:
+  void leave();
+
+  std::string path_, target_, working_path_;  // target_: path_, or what it links to
+  bool open_ = true;
+};
+
+// Says that this run reads a file. Throws InputError if it writes the same one.
+void note_input(const std::string &path);
+
+}  // namespace spherocylinder
