@@ -85,11 +85,12 @@ BedContacts measure_contacts(const Bed &bed, const std::optional<Vessel> &vessel
   found.rods = rods.size();
   double diameter = 0.0;
   for (const Rod &rod : rods) diameter = std::max(diameter, 2.0 * rod.capsule.radius);
-  const double largest_gap = gap * diameter, doubt = doubtful_gap * diameter;
+  const double largest_gap = gap * diameter;
+  found.doubt = gap_rounding(bed.frame, rods);
   std::vector<ClosePair> &pairs = found.pairs;
-  pairs = close_pairs(rods, periodicity_of(bed.frame), largest_gap + doubt);
+  pairs = close_pairs(rods, periodicity_of(bed.frame), largest_gap + found.doubt);
   found.doubtful_pairs = std::count_if(pairs.begin(), pairs.end(), [&](const ClosePair &pair) {
-    return pair.gap > largest_gap - doubt;
+    return pair.gap > largest_gap - found.doubt;
   });
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
                              [&](const ClosePair &pair) { return !(pair.gap < largest_gap); }),

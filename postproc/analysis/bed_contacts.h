@@ -12,10 +12,6 @@
 
 namespace spherocylinder {
 
-// Gap in diameters that the six digits of a usual dump do not tell from touching: they round a
-// coordinate below 1 m by 5e-7 m, and the rods of a laboratory are some millimetres thick.
-constexpr double doubtful_gap = 1e-4;
-
 struct ContactNumbers {
   MeanWithError per_rod;
   std::vector<std::size_t> rods_with;  // 0, 1, 2 ... contacts
@@ -38,7 +34,8 @@ struct BedContacts {
   std::int64_t step;
   std::size_t rods;
   std::vector<ClosePair> pairs;
-  std::size_t doubtful_pairs;  // whose gap is within doubtful_gap of the one asked for
+  double doubt;                // error of a gap that the digits of the dump allow (m)
+  std::size_t doubtful_pairs;  // whose gap is nearer than that to the one asked for
   std::vector<WallContact> walls;
   ContactNumbers between_rods, with_walls;
   MeanWithError without_contact;  // part of the rods

@@ -14,6 +14,7 @@ namespace spherocylinder {
 namespace {
 
 constexpr double most_wall_bins = 10000;
+constexpr std::size_t most_axes_of_bin = 2000;  // of a bin of the distance, paired
 constexpr double packing_tolerance = 1e-4;  // relative, of the rods' volume in the inner cylinder
 
 constexpr OverFiles same = OverFiles::same, sum = OverFiles::sum, mean = OverFiles::mean,
@@ -46,7 +47,8 @@ bool has_side(const std::optional<Vessel> &vessel)
   return vessel && std::isfinite(vessel->radius);
 }
 
-Order order_of(const std::vector<Rod> &rods, const OrientationOptions &options)
+Order order_of(const std::vector<Rod> &rods, const OrientationOptions &options,
+               std::size_t most_axes)
 {
   const std::optional<Vessel> &vessel = options.vessel;
   const std::vector<Vec3> axes = axes_of(rods);
@@ -60,7 +62,7 @@ Order order_of(const std::vector<Rod> &rods, const OrientationOptions &options)
   order.azimuthal = azimuthal_order(axes);
   order.radial = has_side(vessel) ? radial_order(rods, vessel->x, vessel->y)
                                   : MeanWithError{none, none};
-  order.sin_gamma = sin_gamma_of_pairs(axes);
+  order.sin_gamma = sin_gamma_of_pairs(axes, most_axes);
   order.random_contact = random_contact(mean_lambda(rods), order.sin_gamma, options.half_contacts);
   return order;
 }
@@ -96,7 +98,7 @@ std::vector<WallBin> by_wall(const std::vector<Rod> &rods, double width,
   std::vector<WallBin> bins;
   for (std::size_t k = 0; k < rods_of_bin.size(); ++k)
     bins.push_back({width * static_cast<double>(k), width * static_cast<double>(k + 1),
-                    order_of(rods_of_bin[k], options),
+                    order_of(rods_of_bin[k], options, most_axes_of_bin),
                     elevation_histogram(axes_of(rods_of_bin[k]), options.bins, options.spacing)});
   return bins;
 }
@@ -198,7 +200,7 @@ BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options)
   BedOrientation found{};
   found.step = bed.frame.step;
   found.lambda = mean_lambda(rods);
-  found.order = order_of(rods, options);
+  found.order = order_of(rods, options, most_axes_paired);
   found.tensor = nematic_tensor(axes);
   found.histogram = elevation_histogram(axes, options.bins, options.spacing);
   found.chi_squared = chi_squared_isotropic(found.histogram, axes.size());

@@ -145,6 +145,9 @@ UprightCylinder inner_region(const Container &container, const InnerOverride &ch
   inner.radius = chosen.radius.value_or(inner.radius);
   inner.z_low = chosen.bottom.value_or(inner.z_low);
   inner.z_high = chosen.top.value_or(inner.z_high);
+  if (inner.z_low < whole.z_low)
+    throw InputError(fmt::format("--inner-bottom: must be at least the floor {} (got {})",
+                                 whole.z_low, inner.z_low));
   if (inner.radius > whole.radius)
     throw InputError(fmt::format("--inner-radius: must be at most the vessel radius {} (got {})",
                                  whole.radius, inner.radius));
@@ -156,20 +159,25 @@ UprightCylinder inner_region(const Container &container, const InnerOverride &ch
   return inner;
 }
 
-UprightCylinder bulk_region(const Container &container, double margin)
+// Of no height or radius if less than `thinnest` is left either way: a thinner slice is no bulk.
+UprightCylinder bulk_region(const Container &container, double margin, double thinnest)
 {
   UprightCylinder bulk = container.whole();
   if (container.has_wall()) bulk.radius -= margin;
   bulk.z_low += margin;
   bulk.z_high -= margin;
+  if (bulk.z_high - bulk.z_low < thinnest || 2.0 * bulk.radius < thinnest) bulk.radius = 0.0;
   return bulk;
 }
 
 double mean_half_length(const std::vector<Rod> &rods)
 {
-  double sum = 0.0;
-  for (const Rod &rod : rods) sum += 0.5 * rod.capsule.length();
-  return sum / static_cast<double>(rods.size());
+  return mean_of(rods, [](const Rod &rod) { return 0.5 * rod.capsule.length(); }).mean;
+}
+
+double mean_diameter(const std::vector<Rod> &rods)
+{
+  return mean_of(rods, [](const Rod &rod) { return 2.0 * rod.capsule.radius; }).mean;
 }
 
 // Rods of a box periodic in z, and the images of those that reach over its top or bottom.
@@ -228,7 +236,7 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   }
   p.clipped = container.pack(whole);
   p.inner = container.pack(inner_region(container, options.inner));
-  p.bulk = container.pack(bulk_region(container, p.bulk_margin));
+  p.bulk = container.pack(bulk_region(container, p.bulk_margin, mean_diameter(rods)));
   for (RegionPacking *region : {&p.clipped, &p.inner, &p.bulk})
     container.take_off(overlaps, *region);
   return p;
@@ -242,45 +250,47 @@ Fields<BedPacking> packing_fields()
     fields.add(name, OverFiles::mean, value);
   };
   // With its standard error over several beds.
-  const auto add_measured = [&](const std::string &name, auto value) {
-    add(name, value);
-    fields.add(name + "_standard_error", OverFiles::error, [](const P &) { return none; });
+  const auto add_measured = [&](const std::string &name, auto value, const std::string &unit = "") {
+    fields.add_mean(name, [value](const P &p) { return MeanWithError{value(p), none}; }, unit);
   };
   fields.add("step", OverFiles::same, [](const P &p) { return p.step; });
-  add("rods", [](const P &p) { return p.rods; });
-  add("spheres", [](const P &p) { return p.spheres; });
+  fields.add("rods", OverFiles::sum, [](const P &p) { return p.rods; });
+  fields.add("spheres", OverFiles::sum, [](const P &p) { return p.spheres; });
   add("lambda_mean", [](const P &p) { return p.lambda.mean; });
   add("lambda_min", [](const P &p) { return p.lambda.smallest; });
   add("lambda_max", [](const P &p) { return p.lambda.largest; });
-  add_measured("mean_elevation_deg", [](const P &p) { return p.mean_elevation_deg; });
+  add_measured("mean_elevation", [](const P &p) { return p.mean_elevation_deg; }, "_deg");
   add_measured("mean_sin_gamma", [](const P &p) { return p.mean_sin_gamma; });
-  add_measured("z_top_m", [](const P &p) { return p.height.highest_centre; });
+  add_measured("z_top", [](const P &p) { return p.height.highest_centre; }, "_m");
   add("highest_point_m", [](const P &p) { return p.height.highest_point; });
   add("rods_volume_m3", [](const P &p) { return p.rods_volume; });
   add("whole_volume_m3", [](const P &p) { return p.whole.volume; });
   add_measured("vf_whole", [](const P &p) { return p.whole.fraction; });
   add_measured("vf_whole_net", [](const P &p) { return p.whole.net_fraction; });
   add_measured("vf_whole_clipped", [](const P &p) { return p.clipped.fraction; });
-  add("vf_whole_clipped_error", [](const P &p) { return p.clipped.error; });
+  add("vf_whole_clipped_integration_error", [](const P &p) { return p.clipped.error; });
   add("inner_radius_m", [](const P &p) { return p.inner.radius; });
   add("inner_bottom_m", [](const P &p) { return p.inner.bottom; });
   add("inner_top_m", [](const P &p) { return p.inner.top; });
   add("inner_volume_m3", [](const P &p) { return p.inner.volume; });
   add_measured("vf_inner", [](const P &p) { return p.inner.fraction; });
   add_measured("vf_inner_net", [](const P &p) { return p.inner.net_fraction; });
-  add("vf_inner_error", [](const P &p) { return p.inner.error; });
+  add("vf_inner_integration_error", [](const P &p) { return p.inner.error; });
   add("bulk_margin_m", [](const P &p) { return p.bulk_margin; });
   add("bulk_volume_m3", [](const P &p) { return p.bulk.volume; });
   add_measured("vf_bulk", [](const P &p) { return p.bulk.fraction; });
   add_measured("vf_bulk_net", [](const P &p) { return p.bulk.net_fraction; });
-  add("vf_bulk_error", [](const P &p) { return p.bulk.error; });
+  add("vf_bulk_integration_error", [](const P &p) { return p.bulk.error; });
   add("overlap_pairs", [](const P &p) { return p.overlaps; });
   add("overlap_volume_m3", [](const P &p) { return p.overlap_volume; });
-  add("overlap_volume_error_m3", [](const P &p) { return p.overlap_error; });
+  add("overlap_volume_integration_error_m3", [](const P &p) { return p.overlap_error; });
   const auto random_contacts = [](double sin_gamma) {
-    return [=](const P &p) { return random_contact_fraction(p.lambda.mean, sin_gamma); };
+    return [=](const P &p) {
+      return p.has_rods() ? random_contact_fraction(p.lambda.mean, sin_gamma) : none;
+    };
   };
-  add("vf_parkhouse_kelly", [](const P &p) { return parkhouse_kelly_fraction(p.lambda.mean); });
+  add("vf_parkhouse_kelly",
+      [](const P &p) { return p.has_rods() ? parkhouse_kelly_fraction(p.lambda.mean) : none; });
   add("vf_random_contact_isotropic", random_contacts(isotropic_sin_gamma));
   add("vf_random_contact_horizontal", random_contacts(horizontal_sin_gamma));
   add("vf_random_contact_measured",
@@ -320,9 +330,8 @@ Fields<ProfileRow> profile_fields()
   fields.add("high_m", OverFiles::same, [](const R &r) { return r.bin.high; });
   fields.add("region_m3", OverFiles::mean, [](const R &r) { return r.bin.region; });
   fields.add("solid_m3", OverFiles::mean, [](const R &r) { return r.bin.solid; });
-  fields.add("vf", OverFiles::mean, [](const R &r) { return r.bin.fraction(); });
-  fields.add("vf_standard_error", OverFiles::error, [](const R &) { return none; });
-  fields.add("vf_error", OverFiles::mean, [](const R &r) { return r.bin.error / r.bin.region; });
+  fields.add_mean("vf", [](const R &r) { return MeanWithError{r.bin.fraction(), none}; });
+  fields.add("vf_integration_error", OverFiles::mean, [](const R &r) { return r.bin.error / r.bin.region; });
   return fields;
 }
 

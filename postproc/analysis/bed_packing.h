@@ -54,6 +54,8 @@ struct BedPacking {
   RegionPacking inner;
   double bulk_margin;       // m
   RegionPacking bulk;
+
+  bool has_rods() const { return spheres < rods; }  // for which there are theories
 };
 
 // Throws InputError if centres of rods lie outside the vessel or the options do not fit the bed.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "analysis/beds.h"
 
+#include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "analysis/frame_choice.h"
 #include "analysis/input_error.h"
+#include "analysis/mean_with_error.h"
 
 namespace spherocylinder {
 
@@ -20,6 +23,28 @@ void add_bed_options(CLI::App &app, BedFiles &options)
       ->capture_default_str();
 }
 
+namespace {
+
+void need_different(const std::vector<std::string> &dumps)
+{
+  for (std::size_t i = 0; i < dumps.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      std::error_code unknown;  // said when they are opened
+      if (dumps[i] == dumps[j] || std::filesystem::equivalent(dumps[i], dumps[j], unknown))
+        throw InputError(fmt::format("{}: is given twice, wanted each bed once", dumps[i]));
+    }
+}
+
+double mean_aspect_ratio(const std::vector<Rod> &rods)
+{
+  return mean_of(rods, [](const Rod &rod) { return rod.capsule.aspect_ratio(); }).mean;
+}
+
+// Means are over beds of the same rods. Wider than the rounding of a dump.
+constexpr double same_aspect_ratio = 1e-3;
+
+}  // namespace
+
 void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)> &work)
 {
   const FrameChoice choice = parse_frame_choice(options.frame);
@@ -27,6 +52,8 @@ void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)
   if (all && options.several())
     throw InputError(fmt::format("--frame: must be first, last or a step for {} files (got 'all')",
                                  options.dumps.size()));
+  need_different(options.dumps);
+  double first_ratio = 0.0;
   for (std::size_t file = 0; file < options.dumps.size(); ++file) {
     bool any = false;
     for_each_frame(options.dumps[file], choice, [&](const DumpFrame &frame) {
@@ -36,6 +63,13 @@ void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)
         throw InputError(
             fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
       any = true;
+      const double ratio = options.several() ? mean_aspect_ratio(bed.rods) : 0.0;
+      if (file == 0) first_ratio = ratio;
+      if (std::abs(ratio - first_ratio) > same_aspect_ratio * first_ratio)
+        throw InputError(fmt::format(
+            "{}: its rods have a mean aspect ratio of {:.4g}, those of {} {:.4g}: wanted beds of "
+            "the same rods",
+            frame.path, ratio, options.dumps[0], first_ratio));
       work(bed);
     });
     if (!any)
@@ -75,12 +109,15 @@ void add_vessel_options(CLI::App &app, VesselOptions &options)
 
 void need_rods_inside(const Bed &bed, const Vessel &vessel)
 {
-  if (const std::size_t outside = count_outside(bed.rods, vessel))
-    throw InputError(
-        fmt::format("{}: step {}: {} of {} rod centres are outside the vessel of radius {} about "
-                    "({}, {}) above floor {}, wanted none",
-                    bed.frame.path, bed.frame.step, outside, bed.rods.size(), vessel.radius,
-                    vessel.x, vessel.y, vessel.floor));
+  const std::size_t outside = count_outside(bed.rods, vessel);
+  if (outside == 0) return;
+  const std::string walls =
+      std::isfinite(vessel.radius)
+          ? fmt::format("outside the vessel of radius {} about ({}, {}) above floor {}",
+                        vessel.radius, vessel.x, vessel.y, vessel.floor)
+          : fmt::format("below the floor {}", vessel.floor);
+  throw InputError(fmt::format("{}: step {}: {} of {} rod centres are {}, wanted none",
+                               bed.frame.path, bed.frame.step, outside, bed.rods.size(), walls));
 }
 
 }  // namespace spherocylinder

@@ -31,7 +31,8 @@ struct Bed {
 };
 
 // Calls `work` for each chosen frame of each dump; leaves out frames without rods if all are
-// chosen. Throws InputError if there is nothing to work on, or for all frames of several files.
+// chosen. Throws InputError if there is nothing to work on, for all frames of several files, for a
+// file given twice, and for files whose rods differ in their mean aspect ratio.
 void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)> &work);
 
 struct VesselOptions {

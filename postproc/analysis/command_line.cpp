@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -61,12 +62,15 @@ int run_tool(CLI::App &app, int argc, char **argv, const std::function<void()> &
   try {
     app.parse(argc, argv);
     work();
+    if (std::fflush(stdout) != 0) throw InputError("standard output: could not be written");
   } catch (const CLI::CallForHelp &) {
     fmt::print("{}", app.help());
   } catch (const CLI::ParseError &error) {
     return fail(app, error.what());
   } catch (const InputError &error) {
     return fail(app, error.what());
+  } catch (const std::bad_alloc &) {
+    return fail(app, "stopped: there is not enough memory");
   } catch (const std::exception &error) {
     return fail(app, fmt::format("stopped: {}", error.what()));
   }

@@ -2,47 +2,28 @@
 #include "analysis/line_source.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "analysis/input_error.h"
-#include "analysis/output_file.h"
 
 namespace spherocylinder {
 namespace {
 
 constexpr std::size_t first_block_bytes = std::size_t{1} << 16;
 constexpr std::size_t largest_block_bytes = std::size_t{1} << 22;
-constexpr unsigned compressed_bytes = 1u << 18;  // zlib's own buffer
 
 }  // namespace
 
-LineSource::LineSource(const std::string &path) : path_(path), buffer_(first_block_bytes)
+LineSource::LineSource(const std::string &path)
+    : path_(path), bytes_(path), buffer_(first_block_bytes)
 {
-  note_input(path);
-  std::error_code unknown;  // said when it is opened; a pipe has no size
-  if (std::filesystem::is_directory(path, unknown))
-    throw InputError(fmt::format("{}: is a folder, wanted a dump file", path));
-  file_.reset(gzopen(path.c_str(), "rb"));
-  if (!file_)
-    throw InputError(
-        fmt::format("{}: cannot be opened for reading: {}", path, std::strerror(errno)));
-  gzbuffer(file_.get(), compressed_bytes);
-  const auto bytes = std::filesystem::file_size(path, unknown);
-  if (!unknown) file_bytes_ = static_cast<double>(bytes);
 }
 
 void LineSource::fail(const std::string &what) const
 {
   throw InputError(fmt::format("{}:{}: {}", path_, line_number_ + 1, what));
-}
-
-double LineSource::part_read() const
-{
-  return file_bytes_ > 0.0 ? static_cast<double>(gzoffset(file_.get())) / file_bytes_ : 0.0;
 }
 
 // Moves what is left to the front of the buffer, which grows until it has its full size, and fills
@@ -56,18 +37,14 @@ void LineSource::read_on()
     buffer_.resize(std::min(2 * buffer_.size(), largest_block_bytes));
   if (end_ == buffer_.size())
     fail(fmt::format("the line is longer than {} bytes: not a LIGGGHTS dump file", end_));
-  const int got =
-      gzread(file_.get(), buffer_.data() + end_, static_cast<unsigned>(buffer_.size() - end_));
-  int error = Z_OK;
-  std::string_view reason = gzerror(file_.get(), &error);  // "path: reason"
-  if (got < 0 || error != Z_OK) {
-    if (error == Z_ERRNO) reason = std::strerror(errno);
-    if (const auto colon = reason.rfind(": "); colon != std::string_view::npos)
-      reason.remove_prefix(colon + 2);
-    fail(fmt::format("cannot be read any further: {}", reason));
+  std::size_t got = 0;
+  try {
+    got = bytes_.read(buffer_.data() + end_, buffer_.size() - end_);
+  } catch (const ByteSource::ReadFailure &failure) {
+    fail(fmt::format("cannot be read any further: {}", failure.reason));
   }
   at_end_ = got == 0;
-  end_ += static_cast<std::size_t>(got);
+  end_ += got;
 }
 
 bool LineSource::next_line(std::string_view &line)

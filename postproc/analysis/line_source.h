@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Lines of a text file, plain or gzip (told apart by its first two bytes), read in blocks so that a
-// file of any size needs a few megabytes.
+// Lines of a text file, plain or gzip, read in blocks so that a file of any size needs a few
+// megabytes.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <zlib.h>
+#include "analysis/byte_source.h"
 
 namespace spherocylinder {
 
@@ -35,19 +34,14 @@ class LineSource {
 
   const std::string &path() const { return path_; }
   std::size_t line_number() const { return line_number_; }  // of the last line given, from 1
-  double part_read() const;                                 // of the file's bytes, 0 to 1
+  double part_read() const { return bytes_.part_read(); }   // of the file's bytes, 0 to 1
 
  private:
   void read_on();
   [[noreturn]] void fail(const std::string &what) const;
 
-  struct Closer {
-    void operator()(gzFile file) const { gzclose_r(file); }
-  };
-
   std::string path_;
-  std::unique_ptr<gzFile_s, Closer> file_;
-  double file_bytes_ = 0.0;
+  ByteSource bytes_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // what is read and not yet given
   bool at_end_ = false;

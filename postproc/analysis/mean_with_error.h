@@ -11,7 +11,7 @@ namespace spherocylinder {
 
 struct MeanWithError {
   double mean;   // NaN for an empty sample
-  double error;  // sample deviation / sqrt(n), values taken as independent; 0 for a single value
+  double error;  // sample deviation / sqrt(n), values taken as independent; NaN for a single value
 };
 
 // Of quantity(item) over a range of items.
@@ -26,7 +26,7 @@ MeanWithError mean_of(const Items &items, Quantity quantity)
   for (const auto &item : items) mean += quantity(item) / n;
   double squares = 0.0;
   for (const auto &item : items) squares += (quantity(item) - mean) * (quantity(item) - mean);
-  return {mean, n > 1.0 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
+  return {mean, n > 1.0 ? std::sqrt(squares / (n * (n - 1.0))) : none};
 }
 
 template <class Numbers>

@@ -26,9 +26,9 @@ double combined(OverFiles rule, const std::vector<double> &values,
                                                        values.begin());
       return alike ? values[0] : none;
     }
-    case OverFiles::sum: return sum;
+    case OverFiles::sum: return values.empty() ? none : sum;
     case OverFiles::mean: return mean_of(values).mean;
-    case OverFiles::error: return values_before.size() > 1 ? mean_of(values_before).error : none;
+    case OverFiles::error: return mean_of(values_before).error;
     case OverFiles::largest:
       return values.empty() ? none : *std::max_element(values.begin(), values.end());
     case OverFiles::scatter:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "analysis/rods.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -44,6 +45,21 @@ Coordinate find_coordinate(const DumpFrame &frame, int direction)
   return {need_column(frame, plain), 0.0, 1.0};
 }
 
+// Decimal digits that tell the number from all others, zeros at either end left out.
+int significant_digits(double number)
+{
+  const std::string text = fmt::format("{}", std::abs(number));
+  std::string digits;
+  for (const char c : text.substr(0, text.find('e')))
+    if (c != '.') digits += c;
+  const auto first = digits.find_first_not_of('0');
+  if (first == std::string::npos) return 0;
+  return static_cast<int>(digits.find_last_not_of('0') - first) + 1;
+}
+
+// Half of the longest rod (m). What is larger is no rod, and volumes and grids of it overflow.
+constexpr double largest_size = 1e6;
+
 class RodColumns {
  public:
   explicit RodColumns(const DumpFrame &frame)
@@ -59,6 +75,22 @@ class RodColumns {
   {
   }
 
+  double gap_rounding(double half_length) const
+  {
+    double largest = 0.0, scale = 0.0;
+    int digits = 6;  // LIGGGHTS's own, which leaves out zeros at the end
+    for (const Coordinate &c : centre_) {
+      digits = std::max(digits, digits_of(c.column));
+      largest = std::max(largest, largest_of(c.column));
+      scale = std::max(scale, c.scale);
+    }
+    for (const std::size_t column : quaternion_) digits = std::max(digits, digits_of(column));
+    const double last_digit = 0.5 * std::pow(10.0, -digits);  // of a number from 0.1 to 1
+    const double power =
+        largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) + 1.0) : 0.0;
+    return 2.0 * (std::sqrt(3.0) * scale * power * last_digit + 4.0 * last_digit * half_length);
+  }
+
   Rod rod(std::size_t row) const
   {
     const double radius = frame_.value(row, shapex_);
@@ -71,6 +103,23 @@ class RodColumns {
   }
 
  private:
+  int digits_of(std::size_t column) const
+  {
+    constexpr std::size_t rows_looked_at = 1000;
+    int digits = 0;
+    for (std::size_t row = 0; row < std::min(frame_.rows, rows_looked_at); ++row)
+      digits = std::max(digits, significant_digits(frame_.value(row, column)));
+    return digits;
+  }
+
+  double largest_of(std::size_t column) const
+  {
+    double largest = 0.0;
+    for (std::size_t row = 0; row < frame_.rows; ++row)
+      largest = std::max(largest, std::abs(frame_.value(row, column)));
+    return largest;
+  }
+
   int type(std::size_t row) const
   {
     constexpr double largest_type = 1e6;
@@ -83,7 +132,12 @@ class RodColumns {
   double coordinate(std::size_t row, int direction) const
   {
     const Coordinate &c = centre_[direction];
-    return c.offset + c.scale * frame_.value(row, c.column);
+    const double x = c.offset + c.scale * frame_.value(row, c.column);
+    if (!std::isfinite(x))
+      fail(row, fmt::format("{} is {} in a box from {} to {}, wanted a finite place", "xyz"[direction],
+                            frame_.value(row, c.column), frame_.box[direction][0],
+                            frame_.box[direction][1]));
+    return x;
   }
 
   double half_length(std::size_t row, double radius) const
@@ -94,6 +148,9 @@ class RodColumns {
       fail(row, fmt::format("shapey is {}, wanted {} as shapex has (a rod is round)",
                             frame_.value(row, *shapey_), radius));
     const double half_total = frame_.value(row, shapez_);
+    if (!(radius < largest_size && std::abs(half_total) < largest_size))
+      fail(row, fmt::format("shapex is {} and shapez {}, wanted less than {:g} m", radius, half_total,
+                            largest_size));
     if (half_total < radius - slack)
       fail(row, fmt::format("shapez is {}, wanted at least shapex, {}", half_total, radius));
     return half_total <= radius + slack ? 0.0 : half_total - radius;
@@ -134,6 +191,13 @@ std::vector<Rod> rods_of(const DumpFrame &frame)
   rods.reserve(frame.rows);
   for (std::size_t row = 0; row < frame.rows; ++row) rods.push_back(columns.rod(row));
   return rods;
+}
+
+double gap_rounding(const DumpFrame &frame, const std::vector<Rod> &rods)
+{
+  double half_length = 0.0;
+  for (const Rod &rod : rods) half_length = std::max(half_length, rod.capsule.segment.half_length);
+  return RodColumns(frame).gap_rounding(half_length);
 }
 
 double elevation(const Vec3 &axis)

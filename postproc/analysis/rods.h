@@ -36,4 +36,11 @@ double elevation(const Vec3 &axis);
 
 double volume(const Capsule &capsule);  // m^3
 
+// How far the gap of two of the rods can be off because the dump's numbers are rounded (m): each by
+// half a unit in its last digit, with six digits (LIGGGHTS leaves out zeros at the end) or as many as
+// any place or quaternion has in the first thousand rows. With d_x the error of a coordinate and d_q
+// that of a quaternion's component, a centre is off by up to sqrt(3) d_x and an axis by an angle of
+// up to 4 d_q.
+double gap_rounding(const DumpFrame &frame, const std::vector<Rod> &rods);
+
 }  // namespace spherocylinder

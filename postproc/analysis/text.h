@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include <fmt/format.h>
 
 namespace spherocylinder {
 
@@ -45,6 +48,13 @@ inline bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 inline bool is_printable(std::string_view text)
 {
   return std::all_of(text.begin(), text.end(), [](char c) { return is_printable(c); });
+}
+
+// A number for a table on the screen, right-aligned; "-" if there is none.
+inline std::string cell(double number, int width, int decimals)
+{
+  return std::isnan(number) ? fmt::format("{:>{}}", "-", width)
+                            : fmt::format("{:{}.{}f}", number, width, decimals);
 }
 
 // Text from a file as it can be shown in a message: printable, not too long.

@@ -95,7 +95,7 @@ std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
           },
           PackingBeds{group, lambda, {}, {}});
       seen.add(table, row, fmt::format("{}\n{}\n{}", group, kind.lambda, seed_of(table, row)));
-      const std::string mean_mark = vf_column + "_standard_error";
+      const std::string mean_mark = vf_column + "_error";
       if (table.has(mean_mark) && !table.is_empty(row, mean_mark))
         throw InputError(fmt::format("{}: {} is {}, so that this is a mean over beds, wanted a row "
                                      "for each bed",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // rod_contacts: where the rods of a bed touch, and what the contacts carry. docs/rod_contacts.md
+#include <cmath>
 #include <memory>
 #include <string>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "analysis/beds.h"
 #include "analysis/contact_tables.h"
 #include "analysis/input_error.h"
+#include "analysis/text.h"
 
 using namespace spherocylinder;
 
@@ -64,66 +66,67 @@ class ForceFiles {
   std::pair<std::size_t, std::unique_ptr<LocalForces>> open_[2];
 };
 
+// Mean, its error and the largest of so many values, if there are any.
+void print_spread(const char *name, std::size_t count, const Spread &spread, const char *unit)
+{
+  fmt::print("  {:<22} {:8}", name, count);
+  if (count > 0)
+    fmt::print("             mean {:.4g} -+ {}{}, largest {:.4g}{}", spread.mean.mean,
+               std::isnan(spread.mean.error) ? "-" : fmt::format("{:.2g}", spread.mean.error), unit,
+               spread.largest, unit);
+  fmt::print("\n");
+}
+
 void print_forces(const BedContacts &b, double strong)
 {
   if (b.pair_forces) {
-    const Spread &spread = b.pair_forces->spread;
-    fmt::print("  forces between rods   {:9}       mean {:.4g} -+ {:.2g} N, largest {:.4g} N\n",
-               b.pair_forces->contacts.size(), spread.mean.mean, spread.mean.error,
-               spread.largest);
+    print_spread("forces between rods", b.pair_forces->sizes.size(), b.pair_forces->spread, " N");
     if (b.forces_apart > 0)
-      fmt::print(
-          "                        {:9}       of them between rods that the dump of rods shows "
-          "apart\n",
-          b.forces_apart);
+      fmt::print("  {:<22} {:8}             of them between rods that the dump shows apart\n", "",
+                 b.forces_apart);
     fmt::print(
-        "  strong contacts       {:9}       above {:.3g} of the mean; {} chains, the largest of "
-        "{} rods\n",
-        b.chains.strong, strong, b.chains.sizes.size(),
+        "  {:<22} {:8}             above {:.3g} of the mean; {} chains, the largest of {} rods\n",
+        "strong contacts", b.chains.strong, strong, b.chains.sizes.size(),
         b.chains.sizes.empty() ? 0 : b.chains.sizes[0]);
   }
   if (b.wall_forces) {
-    const Spread &spread = b.wall_forces->spread;
+    print_spread("forces of walls", b.wall_forces->sizes.size(), b.wall_forces->spread, " N");
     const Vec3 &total = b.wall_forces->sum;
-    fmt::print("  forces of walls       {:9}       mean {:.4g} -+ {:.2g} N, largest {:.4g} N\n",
-               b.wall_forces->contacts.size(), spread.mean.mean, spread.mean.error,
-               spread.largest);
-    fmt::print("                                        together ({:.6g}, {:.6g}, {:.6g}) N\n",
-               total.x, total.y, total.z);
+    fmt::print("  {:<22} {:8}             ({:.6g}, {:.6g}, {:.6g}) N\n", "  together", "", total.x,
+               total.y, total.z);
   }
 }
 
 void print_table(const BedContacts &b, double strong, bool with_walls)
 {
   const auto measured = [](const char *name, const MeanWithError &value, auto... rest) {
-    fmt::print("  {:<22} {:8.4f} -+ {:.4f}   {}\n", name, value.mean, value.error, rest...);
+    fmt::print("  {:<22} {} -+ {}   {}\n", name, cell(value.mean, 8, 4), cell(value.error, 6, 4),
+               rest...);
   };
   fmt::print("step {}: {} rods\n", b.step, b.rods);
   measured("contacts a rod", b.between_rods.per_rod,
            fmt::format("({} between rods)", b.pairs.size()));
   if (b.doubtful_pairs > 0)
     fmt::print(
-        "    doubtful             {:8}             pairs within {:g} diameters of touching, which "
-        "six digits do not tell\n",
-        b.doubtful_pairs, doubtful_gap);
+        "    doubtful             {:8}             pairs within {:.1e} m of touching, where the dump "
+        "has too few digits\n",
+        b.doubtful_pairs, b.doubt);
   if (with_walls)
     measured("  with walls", b.with_walls.per_rod, fmt::format("({} at walls)", b.walls.size()));
   measured("rods without contact", b.without_contact, "of all rods");
   if (b.pairs.empty()) return print_forces(b, strong);
-  const auto beside = [](double uncorrelated) { return fmt::format("{:8.4f}", uncorrelated); };
+  const auto beside = [](double uncorrelated) { return cell(uncorrelated, 8, 4); };
   fmt::print("                         measured             uncorrelated\n");
   measured("side to side", b.kinds.side_side, beside(b.uncorrelated.side_side));
   measured("side to end", b.kinds.side_end, beside(b.uncorrelated.side_end));
   measured("end to end", b.kinds.end_end, beside(b.uncorrelated.end_end));
   measured("mean position on side", b.side_position, beside(0.5) + "   (0 centre, 1 end)");
   measured("<|sin gamma|>", b.sin_gamma,
-           fmt::format("{:8.4f}   (long isotropic rods; of all pairs {:.4f} are measured)",
-                       isotropic_contact_sin_gamma, b.sin_gamma_of_all));
-  fmt::print("  overlap / diameter     {:8.2e} -+ {:.1e}   largest {:.2e}\n", b.overlap.mean.mean,
-             b.overlap.mean.error, b.overlap.largest);
+           fmt::format("{:8.4f}   (long isotropic rods; of all pairs {} are measured)",
+                       isotropic_contact_sin_gamma, cell(b.sin_gamma_of_all, 0, 4)));
+  print_spread("overlap / diameter", b.overlaps.size(), b.overlap, "");
   if (!b.walls.empty())
-    fmt::print("    at walls             {:8.2e} -+ {:.1e}   largest {:.2e}\n",
-               b.wall_overlap.mean.mean, b.wall_overlap.mean.error, b.wall_overlap.largest);
+    print_spread("  at walls", b.wall_overlaps.size(), b.wall_overlap, "");
   print_forces(b, strong);
 }
 
@@ -224,26 +227,33 @@ int main(int argc, char **argv)
                  "gap of the surfaces below which rods touch, in diameters of the thickest rod")
       ->check(number_between(0.0, 10.0))
       ->capture_default_str();
-  app.add_option("--local", options.local,
-                 "'dump local' file of compute pair/gran/local, one for each DUMP")
-      ->allow_extra_args(false);
+  CLI::Option *local =
+      app.add_option("--local", options.local,
+                     "'dump local' file of compute pair/gran/local, one for each DUMP")
+          ->allow_extra_args(false);
   app.add_option("--local-keywords", options.local_keywords, "keywords of that compute")
+      ->needs(local)
       ->capture_default_str();
-  app.add_option("--wall-local", options.wall_local,
-                 "'dump local' file of compute wall/gran/local, one for each DUMP")
-      ->allow_extra_args(false);
+  CLI::Option *wall_local =
+      app.add_option("--wall-local", options.wall_local,
+                     "'dump local' file of compute wall/gran/local, one for each DUMP")
+          ->allow_extra_args(false);
   app.add_option("--wall-local-keywords", options.wall_local_keywords, "keywords of that compute")
+      ->needs(wall_local)
       ->capture_default_str();
   app.add_option("--strong", options.strong,
                  "a contact is part of a force chain above so many times the mean force")
+      ->needs(local)
       ->check(positive_number())
       ->capture_default_str();
+  CLI::Option *tables = app.add_option(
+      "--tables", options.tables,
+      "write the distributions to PREFIX_numbers.csv, PREFIX_positions.csv ...");
   app.add_option("--bins", options.bins, "bins of the distributions of overlaps and forces")
+      ->needs(tables)
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   app.add_option("--csv", options.csv, "write the numbers to this CSV file");
-  app.add_option("--tables", options.tables,
-                 "write the distributions to PREFIX_numbers.csv, PREFIX_positions.csv ...");
   app.add_option("--contacts-csv", options.contacts_csv, "write each contact to this CSV file");
   return run_tool(app, argc, argv, [&] { run(options); });
 }

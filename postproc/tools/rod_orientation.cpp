@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "analysis/contact_statistics.h"
 #include "analysis/input_error.h"
 #include "analysis/numbers.h"
+#include "analysis/text.h"
 
 using namespace spherocylinder;
 
@@ -28,43 +30,43 @@ struct Options {
   VesselOptions vessel;
   OrientationOptions measured;
   std::string spacing = "solid-angle";
-  std::string wall = "nearest";
+  std::optional<std::string> wall;  // nearest
   std::string csv, summary_csv, wall_csv, wall_bins_csv;
 };
+
+// A line of the table: measured, its error, what isotropic axes give, a note.
+void print_line(const std::string &name, const MeanWithError &value, double isotropic, int decimals,
+                const std::string &note = "")
+{
+  fmt::print("  {:<22} {} {}   {}{}\n", name, cell(value.mean, 8, decimals),
+             cell(value.error, 7, decimals), cell(isotropic, 9, decimals),
+             note.empty() ? "" : "   " + note);
+}
 
 void print_order(const BedOrientation &b)
 {
   const Order &o = b.order;
-  const double n = static_cast<double>(o.rods);
+  const double of_chance = 1.0 / std::sqrt(static_cast<double>(o.rods));
   fmt::print("                         measured   error   isotropic\n");
-  fmt::print("  mean elevation (deg)   {:8.2f} {:7.2f}   {:9.2f}\n", o.elevation.mean * degrees,
-             o.elevation.error * degrees, isotropic_mean_elevation * degrees);
-  fmt::print("  <|u_z|>                {:8.4f} {:7.4f}   {:9.4f}\n", o.abs_uz.mean, o.abs_uz.error,
-             isotropic_mean_abs_uz);
-  fmt::print("  <u_z^2>                {:8.4f} {:7.4f}   {:9.4f}\n", o.uz_squared.mean,
-             o.uz_squared.error, isotropic_mean_uz_squared);
+  print_line("mean elevation (deg)", {o.elevation.mean * degrees, o.elevation.error * degrees},
+             isotropic_mean_elevation * degrees, 2);
+  print_line("<|u_z|>", o.abs_uz, isotropic_mean_abs_uz, 4);
+  print_line("<u_z^2>", o.uz_squared, isotropic_mean_uz_squared, 4);
   const Vec3 &d = o.nematic.director;
-  fmt::print(
-      "  nematic order          {:8.4f} {:7.4f}   {:9.4f}   (1/sqrt(n)), director ({:.3f}, {:.3f}, "
-      "{:.3f})\n",
-      o.nematic.order, o.nematic.error, 1.0 / std::sqrt(n), d.x, d.y, d.z);
-  fmt::print("    squared, unbiased    {:8.4f}           {:9.4f}   -+ {:.4f}\n", o.squared_order,
-             0.0, isotropic_scatter_of_squared_order(o.rods));
-  fmt::print(
-      "  azimuthal order        {:8.4f} {:7.4f}   {:9.4f}   (1/sqrt(n)), heading {:.1f} deg\n",
-      o.azimuthal.order, o.azimuthal.error, 1.0 / std::sqrt(n), o.azimuthal.azimuth * degrees);
+  print_line("nematic order", {o.nematic.order, o.nematic.error}, of_chance, 4,
+             fmt::format("(1/sqrt(n)), director ({:.3f}, {:.3f}, {:.3f})", d.x, d.y, d.z));
+  print_line("  squared, unbiased", {o.squared_order, none}, 0.0, 4,
+             fmt::format("-+ {}", cell(isotropic_scatter_of_squared_order(o.rods), 0, 4)));
+  print_line("azimuthal order", {o.azimuthal.order, o.azimuthal.error}, of_chance, 4,
+             fmt::format("(1/sqrt(n)), heading {} deg", cell(o.azimuthal.azimuth * degrees, 0, 1)));
   if (!std::isnan(o.radial.mean))
-    fmt::print(
-        "  radial order           {:8.4f} {:7.4f}   {:9.4f}   (-1 around the axis, 1 towards "
-        "it)\n",
-        o.radial.mean, o.radial.error, 0.0);
-  fmt::print("  <|sin gamma|>          {:8.4f} {:7.4f}   {:9.4f}   {} of {} axes\n",
-             o.sin_gamma.mean, o.sin_gamma.error, isotropic_sin_gamma,
-             o.rods > most_axes_paired ? "pairs" : "all pairs", std::min(o.rods, most_axes_paired));
+    print_line("radial order", o.radial, 0.0, 4, "(-1 around the axis, 1 towards it)");
+  print_line("<|sin gamma|>", o.sin_gamma, isotropic_sin_gamma, 4,
+             fmt::format("{} of {} axes", o.rods > most_axes_paired ? "pairs" : "all pairs",
+                         std::min(o.rods, most_axes_paired)));
   if (b.near_pairs > 0)
-    fmt::print("    of near pairs        {:8.4f} {:7.4f}   {:9.4f}   {} pairs\n",
-               b.near_sin_gamma.mean, b.near_sin_gamma.error, isotropic_contact_sin_gamma,
-               b.near_pairs);
+    print_line("  of near pairs", b.near_sin_gamma, isotropic_contact_sin_gamma, 4,
+               fmt::format("{} pairs", b.near_pairs));
 }
 
 void print_table(const BedOrientation &b, const Options &options)
@@ -72,16 +74,14 @@ void print_table(const BedOrientation &b, const Options &options)
   const double half_contacts = options.measured.half_contacts;
   fmt::print("step {}: {} rods\n", b.step, b.order.rods);
   print_order(b);
-  fmt::print(
-      "  V_f by random contacts {:8.4f} {:7.4f}   {:9.4f}   lambda {:.4g}, {:.4g} contacts "
-      "counted on each rod\n",
-      b.order.random_contact.mean, b.order.random_contact.error, b.random_contact_isotropic,
-      b.lambda, half_contacts);
+  print_line("V_f by random contacts", b.order.random_contact, b.random_contact_isotropic, 4,
+             fmt::format("lambda {:.4g}, {:.4g} contacts counted on each rod", b.lambda,
+                         half_contacts));
   if (b.measured)
     fmt::print(
-        "    as measured          {:8.4f}           inner cylinder ({:.4f} whole vessel): {:.3f} "
+        "    as measured          {:8.4f}           inner cylinder ({:.4f} whole vessel): {} "
         "contacts\n",
-        b.measured->inner, b.measured->whole, b.measured->half_contacts);
+        b.measured->inner, b.measured->whole, cell(b.measured->half_contacts, 0, 3));
   fmt::print("  chi^2 of the bins      {:8.1f}           {:9}\n", b.chi_squared,
              b.histogram.size() - 1);
   fmt::print("  elevation (deg)     count  fraction   error   isotropic  density\n");
@@ -92,17 +92,20 @@ void print_table(const BedOrientation &b, const Options &options)
   if (b.by_wall.empty()) return;
   fmt::print(
       "  from {} wall (m)    rods  elevation   error  squared order  radial  <|sin gamma|>\n",
-      options.wall);
+      options.wall.value_or("nearest"));
   for (const WallBin &bin : b.by_wall)
-    fmt::print("  {:7.4g} - {:7.4g}  {:8}  {:9.2f} {:7.2f}  {:13.4f} {:7.3f}  {:13.4f}\n", bin.low,
-               bin.high, bin.order.rods, bin.order.elevation.mean * degrees,
-               bin.order.elevation.error * degrees, bin.order.squared_order, bin.order.radial.mean,
-               bin.order.sin_gamma.mean);
+    fmt::print("  {:7.4g} - {:7.4g}  {:8}  {} {}  {} {}  {}\n", bin.low, bin.high, bin.order.rods,
+               cell(bin.order.elevation.mean * degrees, 9, 2),
+               cell(bin.order.elevation.error * degrees, 7, 2),
+               cell(bin.order.squared_order, 13, 4), cell(bin.order.radial.mean, 7, 3),
+               cell(bin.order.sin_gamma.mean, 13, 4));
 }
 
 void need_vessel_for_walls(const Options &options)
 {
   const auto &vessel = options.measured.vessel;
+  if (!vessel && (options.wall || options.measured.wall_width))
+    throw InputError("--wall, --wall-width: wanted with --vessel-radius or --floor");
   if (!vessel && !(options.wall_csv.empty() && options.wall_bins_csv.empty()))
     throw InputError("--wall-csv, --wall-bins-csv: wanted with --vessel-radius or --floor");
   if (options.measured.wall == NearWall::side && vessel && !std::isfinite(vessel->radius))
@@ -114,7 +117,7 @@ void run(Options &options)
   const bool several = options.beds.several();
   options.measured.vessel = options.vessel.vessel();
   options.measured.spacing = spacings.at(options.spacing);
-  options.measured.wall = walls.at(options.wall);
+  options.measured.wall = walls.at(options.wall.value_or("nearest"));
   need_vessel_for_walls(options);
   ResultTable<ElevationRow> bins(options.csv, elevation_fields(), several);
   ResultTable<BedOrientation> summary(options.summary_csv, orientation_fields(), several);
@@ -156,9 +159,8 @@ int main(int argc, char **argv)
                  "bins of equal 'solid-angle' (an isotropic set fills all alike) or equal 'angle'")
       ->check(CLI::IsMember(spacings))
       ->capture_default_str();
-  app.add_option("--wall", options.wall, "wall that distances are taken from")
-      ->check(CLI::IsMember(walls))
-      ->capture_default_str();
+  app.add_option("--wall", options.wall, "wall that distances are taken from, default nearest")
+      ->check(CLI::IsMember(walls));
   app.add_option("--wall-width", options.measured.wall_width,
                  "width of a bin of the distance (m), default a quarter of a rod")
       ->check(positive_number());
@@ -168,7 +170,7 @@ int main(int argc, char **argv)
       ->capture_default_str();
   app.add_option("--half-contacts", options.measured.half_contacts,
                  "contacts counted on each rod by the random contact equation")
-      ->check(positive_number())
+      ->check(number_between(0.1, 100.0))
       ->capture_default_str();
   app.add_option("--csv", options.csv, "write the bins to this CSV file");
   app.add_option("--summary-csv", options.summary_csv, "write the means to this CSV file");

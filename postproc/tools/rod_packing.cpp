@@ -75,7 +75,7 @@ void print_table(const BedPacking &p)
   if (std::isnan(p.bulk.fraction))
     fmt::print("  {:<22} {:>8}             nothing is {:.4g} m from wall, floor and top\n",
                "V_f bulk", "none", p.bulk_margin);
-  print_theory(p);
+  if (p.has_rods()) print_theory(p);
 }
 
 void run(Options &options)

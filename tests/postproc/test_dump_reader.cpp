@@ -135,6 +135,9 @@ TEST_F(DumpReaderTest, GzipIsToldByItsBytesNotItsName)
   ASSERT_EQ(packed.substr(0, 2), "\x1f\x8b");
   EXPECT_EQ(rods(packed)[1].capsule.segment.centre.y, 0.2);
   EXPECT_EQ(rods(packed + packed).size(), 2u);  // two gzip files in a row are one
+  std::string damaged = packed + packed;
+  damaged[packed.size()] = 'x';  // the second one is none any more
+  expect_error(damaged, ":", "other bytes follow the compressed data");
   EXPECT_EQ(DumpReader(write("plain.gz", text)).next(*std::make_unique<DumpFrame>()), true);
   // Cut anywhere behind the two bytes that make it gzip, it gives an error.
   for (std::size_t length = 2; length < packed.size(); ++length)
