@@ -34,11 +34,9 @@ struct ClosePair {
 // All pairs with a gap below `largest_gap` (m), each once, in an order that depends on the rods
 // only. A rod and several images of another are as many pairs.
 //
-// Each axis is cut into pieces a few diameters long and the pieces sorted into cells. Two rods
-// nearer than the reach have two pieces, those that hold the closest points, whose middles are
-// nearer than a piece and the reach together, and so lie in neighbouring cells. A pair of rods that
-// shows up in several pairs of pieces is kept where the pieces hold its closest points. Work and
-// memory grow with the total length of the rods, and not with the square of the aspect ratio.
+// The search is that of the plug-in, NearPairs (core), on blocks of some thousand rods beside each
+// other, each with the rods of other blocks that may be near its own. Time grows with the total
+// length of the rods, and so does what memory a block takes.
 //
 // Throws InputError if a periodic side is shorter than a rod and the gap are in that direction: the
 // rod would meet its own image.

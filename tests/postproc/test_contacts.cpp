@@ -59,8 +59,10 @@ std::vector<Found> pairs_by_brute_force(const std::vector<Rod> &rods, const Peri
             Segment moved = rods[j].capsule.segment;
             moved.centre =
                 moved.centre + Vec3{x * box.side[0], y * box.side[1], z * box.side[2]};
-            const ClosestPoints points = closest_points(rods[i].capsule.segment, moved);
             const double radii = rods[i].capsule.radius + rods[j].capsule.radius;
+            const double furthest = rods[i].capsule.segment.half_length + moved.half_length + radii;
+            if (norm(moved.centre - rods[i].capsule.segment.centre) > furthest + gap) continue;
+            const ClosestPoints points = closest_points(rods[i].capsule.segment, moved);
             const double g = std::sqrt(points.distance_squared) - radii;
             if (!(g < gap)) continue;
             const ClosestPoints touching =
@@ -116,7 +118,7 @@ TEST(ClosePairs, AreThoseOfAllPairsAndImages)
   expect_same_pairs(rods, box, 0.001, 500);
 }
 
-// One, two or three cells across: a cell is its own neighbour, or has the same one on both sides.
+// Boxes little larger than a rod: it meets several images of another.
 TEST(ClosePairs, AreThoseOfNarrowBoxes)
 {
   for (const double side : {0.013, 0.031, 0.046, 0.062, 0.093}) {
@@ -141,6 +143,27 @@ TEST(ClosePairs, OfMixedSizesAndOneFarAway)
   rods.insert(rods.end(), balls.begin(), balls.end());
   rods.push_back(rod({1e7, -1e6, 5.0}, {0, 0, 1}, 0.1, 0.01));
   expect_same_pairs(rods, {}, 0.0, 100);
+}
+
+// More rods than one block of the search takes: pairs within a block, of two blocks, and of images of
+// either; a thick rod that many blocks reach, and one far away.
+TEST(ClosePairs, AreThoseOfAllPairsInManyBlocks)
+{
+  auto rods = ideal_gas(3500, 0.44, 0.03, 0.004, 19);
+  rods.push_back(rod({0.25, 0.2, 0.3}, {0.6, 0, 0.8}, 0.12, 0.04));
+  expect_same_pairs(rods, {}, 0.0005, 3500);
+  expect_same_pairs(rods, {{0.44, 0.0, 0.0}}, 0.0005, 3500);
+  expect_same_pairs(rods, {{0.0, 0.44, 0.44}}, 0.0005, 3500);
+  rods.push_back(rod({1e4, -1e3, 5.0}, {0, 0, 1}, 0.1, 0.01));
+  expect_same_pairs(rods, {}, 0.0005, 3500);
+}
+
+// All in one place: there is nothing to cut them by. Each meets each, n (n - 1)/2 pairs.
+TEST(ClosePairs, OfRodsInOnePlace)
+{
+  const std::size_t n = 2100;
+  const std::vector<Rod> rods(n, rod({0.1, 0.2, 0.3}, {0, 0, 1}, 0.01, 0.005));
+  EXPECT_EQ(close_pairs(rods, {}, 0.0).size(), n * (n - 1) / 2);
 }
 
 // Side by side, at the same height: any point of the common length is a closest one; the pair must
