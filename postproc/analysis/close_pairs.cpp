@@ -20,6 +20,10 @@ namespace {
 // do not stay in the caches. The time is flat between 1000 and 4000.
 constexpr std::ptrdiff_t most_in_a_block = 2048;
 
+// And no more than so many diameters of length, unless it is one rod: what a search needs of memory
+// goes with them.
+constexpr double most_length_of_a_block = 1e6;
+
 // Room for the rounding of positions, in radii of the thickest rod.
 constexpr double slack = 1e-6;
 
@@ -63,8 +67,7 @@ class BlockSearch {
       const Vec3 &centre = rods[i].capsule.segment.centre;
       Image image{};
       for (int d = 0; d < 3; ++d)
-        if (box.side[d] > 0.0)
-          image[d] = -static_cast<int>(std::floor(component(centre, d) / box.side[d]));
+        if (box.side[d] > 0.0) image[d] = -sides_away(rods[i], d);
       placed_.push_back(moved({i, {}, centre}, image));
     }
     cut(placed_.begin(), placed_.end());
@@ -114,6 +117,17 @@ class BlockSearch {
     Segment image_of_j;  // that is near i where the frame has it
   };
 
+  int sides_away(const Rod &rod, int d) const
+  {
+    constexpr double furthest = 1e9;
+    const double sides = std::floor(component(rod.capsule.segment.centre, d) / box_.side[d]);
+    if (!(std::abs(sides) < furthest))
+      throw InputError(
+          fmt::format("{}rod {} is {:g} sides of the periodic box away in {}, wanted less than {:g}",
+                      box_.where, rod.id, sides, "xyz"[d], furthest));
+    return static_cast<int>(sides);
+  }
+
   PlacedRod moved(const PlacedRod &p, const Image &by) const
   {
     const Vec3 shift{by[0] * box_.side[0], by[1] * box_.side[1], by[2] * box_.side[2]};
@@ -133,11 +147,19 @@ class BlockSearch {
     return bounds;
   }
 
+  double length(Iterator begin, Iterator end) const
+  {
+    double sum = 0.0;
+    for (auto p = begin; p != end; ++p) sum += rods_[p->rod].capsule.aspect_ratio();
+    return sum;
+  }
+
   // Halves the space around the centres across its longest side until the halves are blocks. So a
   // rod far away ends up in a block of its own.
   void cut(Iterator begin, Iterator end)
   {
-    if (end - begin > most_in_a_block) {
+    const bool too_long = end - begin > 1 && length(begin, end) > most_length_of_a_block;
+    if (end - begin > most_in_a_block || too_long) {
       int across = 0;
       double longest = 0.0, middle = 0.0;
       for (int d = 0; d < 3; ++d) {
@@ -237,15 +259,15 @@ class BlockSearch {
 Periodicity periodicity_of(const DumpFrame &frame)
 {
   Periodicity box;
+  box.where = fmt::format("{}: step {}: ", frame.path, frame.step);
   for (int d = 0; d < 3; ++d) {
     if (!frame.periodic[d]) continue;
     if (frame.box_is_tilted)
-      throw InputError(fmt::format("{}: step {}: the periodic box is tilted, wanted an upright one",
-                                   frame.path, frame.step));
+      throw InputError(fmt::format("{}the periodic box is tilted, wanted an upright one", box.where));
     box.side[d] = frame.box[d][1] - frame.box[d][0];
     if (!(box.side[d] > 0.0))
-      throw InputError(fmt::format("{}: step {}: the periodic box is {} m wide in {}, wanted > 0",
-                                   frame.path, frame.step, box.side[d], "xyz"[d]));
+      throw InputError(fmt::format("{}the periodic box is {} m wide in {}, wanted > 0", box.where,
+                                   box.side[d], "xyz"[d]));
   }
   return box;
 }
@@ -265,9 +287,9 @@ std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodici
   for (int d = 0; d < 3; ++d)
     if (box.side[d] > 0.0 && box.side[d] < least[d])
       throw InputError(
-          fmt::format("the periodic box is {:.6g} m wide in {}, wanted at least {:.6g} m "
+          fmt::format("{}the periodic box is {:.6g} m wide in {}, wanted at least {:.6g} m "
                       "for these rods",
-                      box.side[d], "xyz"[d], least[d]));
+                      box.where, box.side[d], "xyz"[d], least[d]));
 
   const BlockSearch search(rods, box, largest_gap, slack * largest_radius);
   std::vector<std::vector<ClosePair>> found(search.blocks());

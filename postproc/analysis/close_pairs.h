@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "analysis/dump_frame.h"
@@ -14,6 +15,7 @@ namespace spherocylinder {
 
 struct Periodicity {
   std::array<double, 3> side{};  // m, of the box; 0 where it is not periodic
+  std::string where;             // "path: step 5: ", for messages
 };
 
 // Throws InputError for a tilted box that is periodic.

@@ -57,8 +57,9 @@ int significant_digits(double number)
   return static_cast<int>(digits.find_last_not_of('0') - first) + 1;
 }
 
-// Half of the longest rod (m). What is larger is no rod, and volumes and grids of it overflow.
-constexpr double largest_size = 1e6;
+// What is larger is no rod; volumes and grids would overflow.
+constexpr double largest_size = 1e6;  // radius (m)
+constexpr double largest_aspect_ratio = 1e6;
 
 class RodColumns {
  public:
@@ -148,9 +149,10 @@ class RodColumns {
       fail(row, fmt::format("shapey is {}, wanted {} as shapex has (a rod is round)",
                             frame_.value(row, *shapey_), radius));
     const double half_total = frame_.value(row, shapez_);
-    if (!(radius < largest_size && std::abs(half_total) < largest_size))
-      fail(row, fmt::format("shapex is {} and shapez {}, wanted less than {:g} m", radius, half_total,
-                            largest_size));
+    if (!(radius < largest_size && half_total < largest_aspect_ratio * radius))
+      fail(row, fmt::format("shapex is {} and shapez {}, wanted less than {:g} m and an aspect ratio "
+                            "below {:g}",
+                            radius, half_total, largest_size, largest_aspect_ratio));
     if (half_total < radius - slack)
       fail(row, fmt::format("shapez is {}, wanted at least shapex, {}", half_total, radius));
     return half_total <= radius + slack ? 0.0 : half_total - radius;
