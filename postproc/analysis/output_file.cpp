@@ -106,7 +106,7 @@ void note_input(const std::string &path)
 {
   if (is_ordinary(path) && is_among(outputs, path))
     throw InputError(fmt::format("{}: is written by this run, wanted another file to read", path));
-  inputs.emplace_back(path);
+  if (std::find(inputs.begin(), inputs.end(), path) == inputs.end()) inputs.emplace_back(path);
 }
 
 }  // namespace spherocylinder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// libFuzzer target of the dump reader; tests/README.md tells how to run it.
+// libFuzzer target of the readers of dumps and tables; tests/README.md tells how to run it.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -18,6 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
   if (file < 0 || ftruncate(file, 0) != 0 ||
       pwrite(file, bytes, count, 0) != static_cast<ssize_t>(count))
     std::abort();
-  spherocylinder::read_dump_bytes(path);
+  spherocylinder::read_bytes(path);
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the reader promises of any bytes whatever. Used by the fuzz target and by the unit test that
+// What the readers promise of any bytes whatever. Used by the fuzz target and by the unit test that
 // replays its corpus.
 #pragma once
 
@@ -7,7 +7,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
+#include "analysis/close_pairs.h"
+#include "analysis/contact_forces.h"
+#include "analysis/csv_table.h"
 #include "analysis/dump_reader.h"
 #include "analysis/input_error.h"
 #include "analysis/rods.h"
@@ -17,27 +21,17 @@ namespace spherocylinder {
 inline void promise(bool kept, const char *what)
 {
   if (kept) return;
-  std::fprintf(stderr, "broken promise of the dump reader: %s\n", what);
+  std::fprintf(stderr, "broken promise of a reader: %s\n", what);
   std::abort();
 }
 
-// Reads all frames and their rods. Returns the sentence of the error, or nothing for a good file.
-// Ends the program if a promise is broken: finite numbers, unit axes, one printable sentence that
-// names the file, and no other exception.
-inline std::string read_dump_bytes(const std::string &path)
+// Runs `read` on the file. Returns the sentence of its error, or nothing for a good file. Ends the
+// program unless that is one printable sentence which names the file, and no other exception comes.
+template <class Read>
+std::string sentence_of(const std::string &path, Read read)
 {
   try {
-    DumpReader reader(path);
-    DumpFrame frame;
-    while (reader.next(frame)) {
-      promise(frame.values.size() == frame.rows * frame.columns.size(), "as many values as told");
-      for (const double value : frame.values) promise(std::isfinite(value), "finite values");
-      for (const Rod &rod : rods_of(frame)) {
-        promise(rod.id >= 1 && rod.type >= 1, "id and type from 1");
-        promise(rod.capsule.radius > 0.0 && rod.capsule.segment.half_length >= 0.0, "real sizes");
-        promise(std::abs(norm(rod.capsule.segment.axis) - 1.0) < 1e-12, "unit axes");
-      }
-    }
+    read();
   } catch (const InputError &error) {
     const std::string sentence = error.what();
     promise(sentence.find(path) == 0, "the error names the file first");
@@ -46,6 +40,70 @@ inline std::string read_dump_bytes(const std::string &path)
     return sentence;
   }
   return "";
+}
+
+inline void need_sound(const Rod &rod)
+{
+  const Segment &segment = rod.capsule.segment;
+  promise(rod.id >= 1 && rod.type >= 1, "id and type from 1");
+  promise(rod.capsule.radius > 0.0 && segment.half_length >= 0.0, "real sizes");
+  promise(std::isfinite(volume(rod.capsule)), "a finite volume");
+  promise(std::isfinite(norm(segment.centre)), "a finite place");
+  promise(std::abs(norm(segment.axis) - 1.0) < 1e-12, "unit axes");
+}
+
+// All frames of a dump of rods: finite numbers, sound rods, near pairs that can be looked for.
+inline std::string read_dump_bytes(const std::string &path)
+{
+  return sentence_of(path, [&] {
+    DumpReader reader(path);
+    DumpFrame frame;
+    while (reader.next(frame)) {
+      promise(frame.values.size() == frame.rows * frame.columns.size(), "as many values as told");
+      for (const double value : frame.values) promise(std::isfinite(value), "finite values");
+      const std::vector<Rod> rods = rods_of(frame);
+      for (const Rod &rod : rods) need_sound(rod);
+      promise(gap_rounding(frame, rods) >= 0.0, "a rounding");
+      double length = 0.0;
+      for (const Rod &rod : rods) length += rod.capsule.aspect_ratio();
+      if (length > 1e4) continue;  // takes too long here
+      for (const ClosePair &pair : close_pairs(rods, periodicity_of(frame), 0.0))
+        promise(pair.i < pair.j && pair.j < rods.size() && pair.gap < 0.0, "pairs of rods");
+    }
+  });
+}
+
+// The same of a dump of contact forces beside a dump of the rods 1 to 3 at step 0.
+inline std::string read_local_bytes(const std::string &path, LocalKind kind)
+{
+  return sentence_of(path, [&] {
+    DumpFrame rods_frame;
+    rods_frame.path = "rods.dump";
+    std::vector<Rod> rods;
+    for (std::int64_t id = 1; id <= 3; ++id)
+      rods.push_back({id, 1, {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.1}, 0.01}});
+    LocalForces forces(path, kind, "id force", "--local-keywords");
+    for (const ContactForce &contact : forces.at_step(rods_frame, rods))
+      promise(contact.i < 3 && contact.j < 3 && std::isfinite(norm(contact.force)), "a force");
+  });
+}
+
+inline std::string read_csv_bytes(const std::string &path)
+{
+  return sentence_of(path, [&] {
+    const CsvTable table(path);
+    for (std::size_t row = 0; row < table.rows(); ++row)
+      promise(std::isfinite(table.number(row, "lambda")), "a finite number");
+  });
+}
+
+// All that a file may be taken for.
+inline void read_bytes(const std::string &path)
+{
+  read_dump_bytes(path);
+  read_local_bytes(path, LocalKind::pairs);
+  read_local_bytes(path, LocalKind::walls);
+  read_csv_bytes(path);
 }
 
 }  // namespace spherocylinder
