@@ -73,7 +73,7 @@ std::size_t CsvTable::index_of(const std::string &column) const
   const auto found = std::find(names.begin(), names.end(), column);
   if (found == names.end())
     throw InputError(fmt::format("{}:{}: column '{}' is missing; there are {}", path_, header_.line,
-                                 column, fmt::join(names, " ")));
+                                 column, shown(fmt::format("{}", fmt::join(names, " ")), 200)));
   return static_cast<std::size_t>(found - names.begin());
 }
 

@@ -58,9 +58,8 @@ inline std::string cell(double number, int width, int decimals)
 }
 
 // Text from a file as it can be shown in a message: printable, not too long.
-inline std::string shown(std::string_view text)
+inline std::string shown(std::string_view text, std::size_t longest = 40)
 {
-  constexpr std::size_t longest = 40;
   std::string out = "'";
   for (const char c : text.substr(0, longest)) out += is_printable(c) ? c : '?';
   return out + (text.size() > longest ? "...'" : "'");
