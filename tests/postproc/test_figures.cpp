@@ -70,7 +70,7 @@ TEST_F(Figures, TableRefusesWhatIsNoTable)
   const CsvTable table(write("t.csv", "a,b\n1,nan\n2,x\n"));
   expect_refusal([&] { table.number(0, "b"); }, "t.csv:2: b is 'nan', wanted a finite number");
   expect_refusal([&] { table.number(1, "b"); }, "t.csv:3: b is 'x'");
-  expect_refusal([&] { table.text(0, "c"); }, "t.csv:1: column 'c' is missing; there are a b");
+  expect_refusal([&] { table.text(0, "c"); }, "t.csv:1: column 'c' is missing; there are 'a b'");
 }
 
 // 1, 2, 3, 6: mean 3, squares about it 4 + 1 + 0 + 9 = 14, error sqrt(14/(4 3)).
