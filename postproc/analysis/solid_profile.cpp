@@ -11,6 +11,7 @@
 #include "analysis/numbers.h"
 #include "analysis/parallel.h"
 #include "analysis/plane_volume.h"
+#include "core/batch.h"
 
 namespace spherocylinder {
 namespace {
@@ -87,6 +88,46 @@ std::vector<Chord> chord_rule(int level)
   return chords;
 }
 
+// Concentric cylinders as arrays, from the axis.
+struct NestedCylinders {
+  explicit NestedCylinders(const std::vector<UprightCylinder> &cylinders)
+      : x(cylinders[0].x), y(cylinders[0].y)
+  {
+    for (const UprightCylinder &c : cylinders) {
+      radius_squared.push_back(c.radius * c.radius);
+      z_low.push_back(c.z_low);
+      z_high.push_back(c.z_high);
+    }
+  }
+
+  double x, y;
+  std::vector<double> radius_squared, z_low, z_high;
+};
+
+// A chord in place: the points p + s u with |s| <= reach. The wall of a cylinder of radius R about
+// the z axis leaves -b/a -+ sqrt(off_axis + a R^2)/a of its line, with a = u_x^2 + u_y^2,
+// b = u_x p_x + u_y p_y and off_axis = b^2 - a (p_x^2 + p_y^2).
+struct PlacedChord {
+  double reach, area, z, b, off_axis, a, over_a, over_z;
+};
+
+// Adds what each of `count` cylinders leaves of the chord, times its area, to the sums. No branches:
+// a cylinder that the line misses leaves an interval of length 0 or less.
+SPHEROCYLINDER_VECTOR void add_chord(const PlacedChord &c, const double *radius_squared,
+                                     const double *z_low, const double *z_high, std::size_t count,
+                                     double *sums)
+{
+  const auto smaller = [](double p, double q) { return p < q ? p : q; };
+  const auto larger = [](double p, double q) { return p > q ? p : q; };
+  for (std::size_t k = 0; k < count; ++k) {
+    const double root = std::sqrt(larger(c.off_axis + c.a * radius_squared[k], 0.0));
+    const double to_floor = (z_low[k] - c.z) * c.over_z, to_top = (z_high[k] - c.z) * c.over_z;
+    const double low = larger(larger(-c.reach, (-c.b - root) * c.over_a), smaller(to_floor, to_top));
+    const double high = smaller(smaller(c.reach, (-c.b + root) * c.over_a), larger(to_floor, to_top));
+    sums[k] += c.area * larger(high - low, 0.0);
+  }
+}
+
 // What is left of one rod's chords in concentric cylinders.
 class ChordedRod {
  public:
@@ -100,38 +141,23 @@ class ChordedRod {
   }
 
   // Adds the volume within cylinders[first .. last) to sums.
-  void add(const std::vector<Chord> &rule, const std::vector<UprightCylinder> &cylinders,
-           std::size_t first, std::size_t last, double *sums) const
+  void add(const std::vector<Chord> &rule, const NestedCylinders &cylinders, std::size_t first,
+           std::size_t last, double *sums) const
   {
     if (first == last) return;
     const double r = rod_.radius;
     const double a = u_.x * u_.x + u_.y * u_.y;
     constexpr double level = 1e200;  // a level rod's chord is far from any plane it is not in
     const double over_a = 1.0 / a, over_z = u_.z == 0.0 ? level : 1.0 / u_.z;
-    const Vec3 to_axis{cylinders[first].x, cylinders[first].y, 0.0};
+    const Vec3 centre = rod_.segment.centre - Vec3{cylinders.x, cylinders.y, 0.0};
     for (const Chord &chord : rule) {
-      const Vec3 p = rod_.segment.centre - to_axis + (r * chord.across) * across_ +
-                     (r * chord.aside) * aside_;
-      const double reach = rod_.segment.half_length + r * chord.v;
-      const double area = r * r * chord.weight;
+      const Vec3 p = centre + (r * chord.across) * across_ + (r * chord.aside) * aside_;
       const double b = u_.x * p.x + u_.y * p.y;
       const double off_axis = b * b - a * (p.x * p.x + p.y * p.y);
-      for (std::size_t k = first; k < last; ++k) {
-        // Of p + s u the wall cuts out -b/a -+ root/a, floor and top another interval of s.
-        const UprightCylinder &c = cylinders[k];
-        const double rest = off_axis + a * c.radius * c.radius;
-        if (rest <= 0.0) continue;
-        const double root = std::sqrt(rest);
-        const double to_floor = (c.z_low - p.z) * over_z, to_top = (c.z_high - p.z) * over_z;
-        const double low = std::max({-reach, (-b - root) * over_a, std::min(to_floor, to_top)});
-        const double high = std::min({reach, (-b + root) * over_a, std::max(to_floor, to_top)});
-        if (!(low < high)) continue;
-        sums[k] += area * (high - low);
-        if (low == -reach && high == reach) {  // so the larger cylinders hold it too
-          while (++k < last) sums[k] += area * (high - low);
-          break;
-        }
-      }
+      add_chord({rod_.segment.half_length + r * chord.v, r * r * chord.weight, p.z, b, off_axis, a,
+                 over_a, over_z},
+                &cylinders.radius_squared[first], &cylinders.z_low[first], &cylinders.z_high[first],
+                last - first, sums + first);
     }
   }
 
@@ -159,6 +185,7 @@ std::vector<BoundedVolume> sums_by_rules(const std::vector<Rod> &rods,
 {
   const std::vector<Chord> coarse = chord_rule(level - 1), fine = chord_rule(level);
   const std::size_t count = cylinders.size();
+  const NestedCylinders nested(cylinders);
   const auto sums = sum_over_rods(rods.size(), 4 * count, [&](std::size_t i, auto &part) {
     double *const solid = part.data(), *const difference = solid + count;
     double *const squares = difference + count, *const bounds = squares + count;
@@ -181,8 +208,8 @@ std::vector<BoundedVolume> sums_by_rules(const std::vector<Rod> &rods,
     by_coarse.assign(count, 0.0);
     by_fine.assign(count, 0.0);
     const ChordedRod chorded(rod, golden_angle * static_cast<double>(i));
-    chorded.add(coarse, cylinders, first, last, by_coarse.data());
-    chorded.add(fine, cylinders, first, last, by_fine.data());
+    chorded.add(coarse, nested, first, last, by_coarse.data());
+    chorded.add(fine, nested, first, last, by_fine.data());
     for (std::size_t k = first; k < last; ++k) {
       const double d = by_fine[k] - by_coarse[k];
       solid[k] += by_fine[k];
@@ -197,6 +224,32 @@ std::vector<BoundedVolume> sums_by_rules(const std::vector<Rod> &rods,
     found[k] = {sums[k], std::max(std::abs(sums[count + k]), 2.0 * std::sqrt(sums[2 * count + k])) +
                              sums[3 * count + k]};
   return found;
+}
+
+// What lies between each of the nested cylinders and the one before; the edges are left open.
+std::vector<ProfileBin> shells(const std::vector<Rod> &rods,
+                               const std::vector<UprightCylinder> &cylinders, double tolerance)
+{
+  const auto within = volumes_within(rods, cylinders, tolerance);
+  std::vector<ProfileBin> bins;
+  BoundedVolume inner{0.0, 0.0};
+  double inner_region = 0.0;
+  for (std::size_t k = 0; k < cylinders.size(); ++k) {
+    const double region = volume(cylinders[k]);
+    bins.push_back({0.0, 0.0, region - inner_region, within[k].value - inner.value,
+                    within[k].error + inner.error});
+    inner = within[k];
+    inner_region = region;
+  }
+  return bins;
+}
+
+void set_edges(std::vector<ProfileBin> &bins, const std::vector<double> &edges)
+{
+  for (std::size_t k = 0; k < bins.size(); ++k) {
+    bins[k].low = edges[k];
+    bins[k].high = edges[k + 1];
+  }
 }
 
 }  // namespace
@@ -280,17 +333,8 @@ std::vector<ProfileBin> radius_profile(const std::vector<Rod> &rods, const Uprig
   std::vector<UprightCylinder> cylinders;
   for (std::size_t k = 1; k < edges.size(); ++k)
     cylinders.push_back({vessel.x, vessel.y, edges[k], vessel.z_low, vessel.z_high});
-  const auto within = volumes_within(rods, cylinders, tolerance);
-  std::vector<ProfileBin> bins;
-  BoundedVolume inner{0.0, 0.0};
-  double inner_region = 0.0;
-  for (std::size_t k = 0; k < cylinders.size(); ++k) {
-    const double region = volume(cylinders[k]);
-    bins.push_back({edges[k], edges[k + 1], region - inner_region, within[k].value - inner.value,
-                    within[k].error + inner.error});
-    inner = within[k];
-    inner_region = region;
-  }
+  std::vector<ProfileBin> bins = shells(rods, cylinders, tolerance);
+  set_edges(bins, edges);
   return bins;
 }
 
@@ -302,19 +346,9 @@ std::vector<ProfileBin> wall_profile(const std::vector<Rod> &rods, const Upright
   for (std::size_t k = edges.size() - 1; k-- > 0;)
     cylinders.push_back({vessel.x, vessel.y, vessel.radius - edges[k], vessel.z_low + edges[k],
                          vessel.z_high});
-  const auto within = volumes_within(rods, cylinders, tolerance);
-  std::vector<ProfileBin> bins;
-  BoundedVolume inner{0.0, 0.0};
-  double inner_region = 0.0;
-  for (std::size_t i = 0; i < cylinders.size(); ++i) {
-    const std::size_t k = edges.size() - 2 - i;
-    const double region = volume(cylinders[i]);
-    bins.push_back({edges[k], edges[k + 1], region - inner_region, within[i].value - inner.value,
-                    within[i].error + inner.error});
-    inner = within[i];
-    inner_region = region;
-  }
+  std::vector<ProfileBin> bins = shells(rods, cylinders, tolerance);
   std::reverse(bins.begin(), bins.end());
+  set_edges(bins, edges);
   return bins;
 }
 
