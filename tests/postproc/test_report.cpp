@@ -270,11 +270,11 @@ TEST_F(Report, PicturesOfTheBedsMatch)
   // Pictures of other options are drawn again from the dumps; without those, that is said.
   const std::size_t drawn = count(read("rod_render.calls"), "\n");
   EXPECT_EQ(drawn, 9u);
-  edit("scripts/report", "'s/^bed_top=0.7/bed_top=0.6/'");
+  edit("scripts/report", "'s/^bed_top=0.8/bed_top=0.6/'");
   ASSERT_EQ(run("--quick"), 0) << read("error.txt");
   EXPECT_EQ(count(read("rod_render.calls"), "\n"), 2 * drawn);
   fs::remove_all(folder() / "build/cases_quick");
-  edit("scripts/report", "'s/^bed_top=0.6/bed_top=0.7/'");
+  edit("scripts/report", "'s/^bed_top=0.6/bed_top=0.8/'");
   ASSERT_EQ(run("--quick"), 0) << read("error.txt");
   EXPECT_EQ(count(read("rod_render.calls"), "\n"), 2 * drawn);
   EXPECT_EQ(count(read("build/report/report.html"), "were drawn by another rod_render"), 2u);
