@@ -4,6 +4,9 @@
 # A case is the words "LAMBDA LIMITS SEED", LIMITS being study (its limits on the angular velocity)
 # or none. Its folder holds the decks it was run with, logs, dumps and restarts.
 
+# A command that fails within $( ) ends the script too.
+shopt -s inherit_errexit
+
 seeds=(86028121 49979687 67867967 104395301 122949823 141650939 160481183 179424673 198491317 217645177)
 declare -A vessel_radius=([10]=0.105 [20]=0.205 [30]=0.305)
 total_time=10   # s; in.rods counts 50000 steps a second
@@ -20,8 +23,13 @@ cases() {
   done
 }
 
+# The decks; in.case is what a run by hand in their folder leaves there.
+decks() { find input -name 'in.*' ! -name in.case | LC_ALL=C sort; }
+
 # The decks, the plug-in and the time that make a result.
-made_by() { { cat input/in.* build/release/libspherocylinder.so; echo "$total_time"; } | sha256sum | cut -d' ' -f1; }
+made_by() {
+  { decks | xargs cat; cat build/release/libspherocylinder.so; echo "$total_time"; } | sha256sum | cut -d' ' -f1
+}
 
 # One case: fill, settle, in its own folder with its own copy of the decks. The wall time in seconds
 # goes to a file, which also says that the case is finished.
@@ -31,7 +39,7 @@ run_case() {
   [ "$limits" = study ] || variables+=(-var limit_fill 0 -var limit_settle 0)
   local begin=$SECONDS
   trap '[ -z "$lmp" ] || kill "$lmp" 2>/dev/null; exit 1' TERM INT
-  cp input/in.* "$folder"
+  decks | xargs cp -t "$folder"
   cd "$folder"
   # Runs side by side: Open MPI's single ranks would share, and remove, one session folder.
   mkdir -p mpi
@@ -49,12 +57,36 @@ run_case() {
   echo $((SECONDS - begin)) >wall_seconds
 }
 
+# log_columns FILE NAME...: these columns of all lines of a log's tables, with commas between.
+# LIGGGHTS calls all values of a compute alike: NAME:2of4 is the second of four columns NAME.
+log_columns() {
+  local file=$1
+  shift
+  awk -v file="$file" -v program="${0##*/}" -v names="$*" '
+    function refuse(text) { print program ": " file " " text >"/dev/stderr"; refused = 1; exit 1 }
+    BEGIN { wanted = split(names, name, " ") }
+    $1 == "Step" {
+      split("", all); split("", at); split("", nth)
+      for (i = 1; i <= NF; i++) all[$i]++
+      for (i = 1; i <= NF; i++) at[all[$i] == 1 ? $i : $i ":" ++nth[$i] "of" all[$i]] = i
+      for (k = 1; k <= wanted; k++) if (!(name[k] in at)) {
+        $1 = $1
+        refuse("has no column " name[k] " (its columns are: " $0 ")") }
+      width = NF; next }
+    /^Loop time/ { width = 0 }
+    width && NF == width && $1 ~ /^[0-9]+$/ {
+      lines++
+      for (k = 1; k <= wanted; k++) printf "%s%s", $(at[name[k]]), k < wanted ? "," : "\n" }
+    END { if (!refused && !lines) refuse("has no table") }' "$file"
+}
+
 # Steps done so far by the case in a folder.
 steps_done() {
-  local step
-  step=$(awk '$1 ~ /^[0-9]+$/ && NF == 9 { s = $1 } END { print s + 0 }' \
-    "$1"/log.fill "$1"/log.settle 2>/dev/null) || step=0
-  echo "${step:-0}"
+  local stage step=0
+  for stage in fill settle; do
+    step=$(log_columns "$1/log.$stage" Step 2>/dev/null | tail -n 1 | grep . || echo "$step")
+  done
+  echo "$step"
 }
 
 show_progress() {  # OUT BEGAN CASE...
@@ -138,22 +170,51 @@ run_cases() {
   return 1
 }
 
-# A named column of a one-row CSV.
-column() { awk -F, -v name="$2" 'NR==1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } NR==2 { print $c }' "$1"; }
+# columns FILE NAME...: the named columns of a CSV file of one row, with commas between.
+columns() {
+  local file=$1
+  shift
+  awk -F, -v file="$file" -v program="${0##*/}" -v names="$*" '
+    function refuse(text) { print program ": " file " " text >"/dev/stderr"; refused = 1; exit 1 }
+    NR == 1 {
+      for (i = 1; i <= NF; i++) at[$i] = i
+      wanted = split(names, name, " ")
+      for (k = 1; k <= wanted; k++) if (!(name[k] in at)) refuse("has no column " name[k]) }
+    NR == 2 {
+      for (k = 1; k <= wanted; k++) {
+        if ($(at[name[k]]) == "") refuse("has no value of " name[k])
+        row = row (k == 1 ? "" : ",") $(at[name[k]]) } }
+    END {
+      if (!refused && NR != 2) refuse("must have one row below its header (got " (NR ? NR - 1 : 0) ")")
+      if (!refused) print row }' "$file"
+}
 
-measures=vf_whole,vf_inner,vf_theory,mean_elevation_deg,mean_sin_gamma,nematic_order,contacts_per_rod,mean_overlap_over_diameter,largest_overlap_over_diameter,momentary_overlap_over_diameter,energy_J,time_s
+# What measure_case prints: first what the programs measure, then log_values.
+measures=vf_whole,vf_inner,vf_theory,vf_random_contacts,mean_elevation_deg,mean_sin_gamma,nematic_order
+measures+=,contacts_per_rod,mean_overlap_over_diameter,largest_overlap_over_diameter
+measures+=,momentary_overlap_over_diameter,energy_J,time_s
+
+# log_values FOLDER: the last six of `measures`.
+log_values() {
+  local fill settle peak
+  fill=$(log_columns "$1/log.fill" contacts:4of4) || return
+  settle=$(log_columns "$1/log.settle" contacts:4of4) || return
+  peak=$(printf '%s\n' "$fill" "$settle" | LC_ALL=C sort -g | tail -n 1)
+  log_columns "$1/log.settle" contacts:1of4 contacts:2of4 contacts:3of4 energy time | tail -n 1 |
+    awk -F, -v peak="$peak" '{ print $1 "," $2 "," $3 "," peak "," $4 "," $5 }'
+}
 
 # measure_case FOLDER LAMBDA: prints the values of `measures`; leaves packing.csv, orientation.csv and
 # order.csv in the folder.
 measure_case() {
-  local folder=$1 lambda=$2 last peak energy contacts mean_overlap largest time
-  build/release/rod_packing "$folder/dump.settle" --vessel-radius "${vessel_radius[$lambda]}" \
+  local folder=$1 packing order from_log
+  build/release/rod_packing "$folder/dump.settle" --vessel-radius "${vessel_radius[$2]}" \
     --csv "$folder/packing.csv" >"$folder/packing.txt"
   build/release/rod_orientation "$folder/dump.settle" --bins 12 --csv "$folder/orientation.csv" \
     --summary-csv "$folder/order.csv" >"$folder/orientation.txt"
-  # step time atoms energy contacts mean_overlap largest_overlap momentary_overlap cpu
-  last=$(awk '$1 ~ /^[0-9]+$/ && NF == 9 { l = $4","$5","$6","$7","$2 } END { print l }' "$folder/log.settle")
-  peak=$(awk '$1 ~ /^[0-9]+$/ && NF == 9 && $8 > p { p = $8 } END { print p }' "$folder/log.fill" "$folder/log.settle")
-  IFS=, read -r energy contacts mean_overlap largest time <<<"$last"
-  echo "$(column "$folder/packing.csv" vf_whole),$(column "$folder/packing.csv" vf_inner),$(column "$folder/packing.csv" vf_parkhouse_kelly),$(column "$folder/packing.csv" mean_elevation_deg),$(column "$folder/packing.csv" mean_sin_gamma),$(column "$folder/order.csv" nematic_order),$contacts,$mean_overlap,$largest,$peak,$energy,$time"
+  packing=$(columns "$folder/packing.csv" vf_whole vf_inner vf_parkhouse_kelly vf_random_contact_measured \
+    mean_elevation_deg mean_sin_gamma)
+  order=$(columns "$folder/order.csv" nematic_order)
+  from_log=$(log_values "$folder")
+  echo "$packing,$order,$from_log"
 }
