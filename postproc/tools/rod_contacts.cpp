@@ -220,7 +220,9 @@ int main(int argc, char **argv)
       "Where the rods of a bed touch each other and the walls, and what the contacts carry.",
       "rod_contacts");
   app.footer(
-      "Example: rod_contacts bed.dump --vessel-radius 0.305 --csv contacts.csv --tables contacts");
+      "Example: rod_contacts bed.dump --vessel-radius 0.305 --csv contacts.csv --tables contacts\n"
+      "         rod_contacts heap.dump --local heap.pairs --local-keywords \"id force\" --strong 2\n"
+      "         rod_contacts seed1.dump.gz seed2.dump.gz --vessel-radius 0.305 --csv means.csv");
   add_bed_options(app, options.beds);
   add_vessel_options(app, options.vessel);
   app.add_option("--gap", options.gap,

@@ -149,7 +149,10 @@ int main(int argc, char **argv)
   Options options;
   CLI::App app("Distribution of the rods' elevation above the horizontal, and their order.",
                "rod_orientation");
-  app.footer("Example: rod_orientation bed.dump --vessel-radius 0.305 --csv elevation.csv");
+  app.footer(
+      "Example: rod_orientation bed.dump --vessel-radius 0.305 --csv elevation.csv\n"
+      "         rod_orientation bed.dump --vessel-radius 0.305 --wall side --wall-csv wall.csv\n"
+      "         rod_orientation seed1.dump.gz seed2.dump.gz --summary-csv means.csv");
   add_bed_options(app, options.beds);
   add_vessel_options(app, options.vessel);
   app.add_option("--bins", options.measured.bins, "number of bins from 0 to 90 degrees")
