@@ -83,9 +83,7 @@ BedContacts measure_contacts(const Bed &bed, const std::optional<Vessel> &vessel
   BedContacts found{};
   found.step = bed.frame.step;
   found.rods = rods.size();
-  double diameter = 0.0;
-  for (const Rod &rod : rods) diameter = std::max(diameter, 2.0 * rod.capsule.radius);
-  const double largest_gap = gap * diameter;
+  const double largest_gap = gap * largest_diameter(rods);
   found.doubt = gap_rounding(bed.frame, rods);
   std::vector<ClosePair> &pairs = found.pairs;
   pairs = close_pairs(rods, periodicity_of(bed.frame), largest_gap + found.doubt);

@@ -116,9 +116,8 @@ MeasuredFraction measured_fraction(const Bed &bed, const OrientationOptions &opt
 void measure_near_pairs(const Bed &bed, const std::vector<Rod> &rods, double near,
                         BedOrientation &found)
 {
-  double diameter = 0.0;
-  for (const Rod &rod : rods) diameter = std::max(diameter, 2.0 * rod.capsule.radius);
-  const auto pairs = close_pairs(rods, periodicity_of(bed.frame), near * diameter);
+  const auto pairs =
+      close_pairs(rods, periodicity_of(bed.frame), near * largest_diameter(rods));
   found.near_pairs = pairs.size();
   found.near_sin_gamma = mean_of(pairs, [](const ClosePair &pair) { return pair.sin_gamma; });
 }

@@ -76,7 +76,14 @@ class RodColumns {
   {
   }
 
-  double gap_rounding(double half_length) const
+  double largest_diameter(const std::vector<Rod> &rods)
+{
+  double diameter = 0.0;
+  for (const Rod &rod : rods) diameter = std::max(diameter, 2.0 * rod.capsule.radius);
+  return diameter;
+}
+
+double gap_rounding(double half_length) const
   {
     double largest = 0.0, scale = 0.0;
     int digits = 6;  // LIGGGHTS's own, which leaves out zeros at the end

@@ -36,6 +36,8 @@ double elevation(const Vec3 &axis);
 
 double volume(const Capsule &capsule);  // m^3
 
+double largest_diameter(const std::vector<Rod> &rods);  // m; 0 for none
+
 // How far the gap of two of the rods can be off because the dump's numbers are rounded (m): each by
 // half a unit in its last digit, with six digits (LIGGGHTS leaves out zeros at the end) or as many as
 // any place or quaternion has in the first thousand rows. With d_x the error of a coordinate and d_q
