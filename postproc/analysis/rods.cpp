@@ -76,14 +76,7 @@ class RodColumns {
   {
   }
 
-  double largest_diameter(const std::vector<Rod> &rods)
-{
-  double diameter = 0.0;
-  for (const Rod &rod : rods) diameter = std::max(diameter, 2.0 * rod.capsule.radius);
-  return diameter;
-}
-
-double gap_rounding(double half_length) const
+  double gap_rounding(double half_length) const
   {
     double largest = 0.0, scale = 0.0;
     int digits = 6;  // LIGGGHTS's own, which leaves out zeros at the end
@@ -200,6 +193,13 @@ std::vector<Rod> rods_of(const DumpFrame &frame)
   rods.reserve(frame.rows);
   for (std::size_t row = 0; row < frame.rows; ++row) rods.push_back(columns.rod(row));
   return rods;
+}
+
+double largest_diameter(const std::vector<Rod> &rods)
+{
+  double diameter = 0.0;
+  for (const Rod &rod : rods) diameter = std::max(diameter, 2.0 * rod.capsule.radius);
+  return diameter;
 }
 
 double gap_rounding(const DumpFrame &frame, const std::vector<Rod> &rods)
