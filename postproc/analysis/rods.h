@@ -45,4 +45,6 @@ double largest_diameter(const std::vector<Rod> &rods);  // m; 0 for none
 // up to 4 d_q.
 double gap_rounding(const DumpFrame &frame, const std::vector<Rod> &rods);
 
+double highest_point(const Capsule &capsule);  // z (m)
+
 }  // namespace spherocylinder
