@@ -61,7 +61,7 @@ struct PackingBeds {
 struct BinOfBeds {
   double low, high;
   std::vector<double> densities;
-  double error, scatter;  // of one bed
+  double error, scatter, isotropic;  // of one bed
 };
 
 struct OrientationBeds {
@@ -70,7 +70,26 @@ struct OrientationBeds {
   std::vector<BinOfBeds> bins;
 };
 
+// How far beds differ is unknown if there is one only.
+MeanWithError mean_over_beds(const std::vector<double> &values)
+{
+  const MeanWithError mean = mean_of(values);
+  return values.size() == 1 ? MeanWithError{mean.mean, none} : mean;
+}
+
 }  // namespace
+
+double number_between(const CsvTable &table, std::size_t row, const std::string &column, double low,
+                      double high)
+{
+  const double value = table.number(row, column);
+  if (value >= low && value <= high) return value;
+  throw InputError(
+      std::isinf(high)
+          ? fmt::format("{}: {} is {}, wanted >= {}", table.place(row), column, value, low)
+          : fmt::format("{}: {} is {}, wanted from {} to {}", table.place(row), column, value, low,
+                        high));
+}
 
 std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
                                        const std::string &vf_column, const std::string &by)
@@ -84,10 +103,7 @@ std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
     const bool has_axes = table.has("mean_sin_gamma");
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const std::string group = field_or_empty(table, row, by);
-      const double lambda = table.number(row, lambda_column);
-      if (!(lambda >= 1.0))
-        throw InputError(
-            fmt::format("{}: {} is {}, wanted >= 1", table.place(row), lambda_column, lambda));
+      const double lambda = number_between(table, row, lambda_column, 1.0, unbounded);
       PackingBeds &kind = find_or_add(
           kinds,
           [&](const PackingBeds &k) {
@@ -100,9 +116,9 @@ std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
         throw InputError(fmt::format("{}: {} is {}, so that this is a mean over beds, wanted a row "
                                      "for each bed",
                                      table.place(row), mean_mark, table.text(row, mean_mark)));
-      kind.vf.push_back(table.number(row, vf_column));
+      kind.vf.push_back(number_between(table, row, vf_column, 0.0, 1.0));
       if (has_axes && !table.is_empty(row, "mean_sin_gamma"))
-        kind.sin_gamma.push_back(table.number(row, "mean_sin_gamma"));
+        kind.sin_gamma.push_back(number_between(table, row, "mean_sin_gamma", 0.0, 1.0));
       find_or_add(
           groups, [&](const std::string &g) { return g == group; }, group);
     }
@@ -114,9 +130,9 @@ std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
   for (const std::string &group : groups)
     for (const PackingBeds &kind : kinds)
       if (kind.group == group)
-        means.push_back({group, kind.lambda, kind.vf.size(), mean_of(kind.vf),
+        means.push_back({group, kind.lambda, kind.vf.size(), mean_over_beds(kind.vf),
                          kind.sin_gamma.size() == kind.vf.size()
-                             ? mean_of(kind.sin_gamma)
+                             ? mean_over_beds(kind.sin_gamma)
                              : MeanWithError{none, none}});
   return means;
 }
@@ -149,16 +165,26 @@ std::vector<OrientationMean> orientation_means(const std::vector<std::string> &f
       kind.beds.insert(file + '\n' + seed);
       BinOfBeds &bin = find_or_add(
           kind.bins, [&](const BinOfBeds &b) { return b.low == low && b.high == high; },
-          BinOfBeds{low, high, {}, 0.0, 0.0});
-      bin.densities.push_back(table.number(row, "density"));
-      bin.error = table.number(row, "density_error");
-      bin.scatter = table.number(row, "isotropic_scatter") / isotropic;
+          BinOfBeds{low, high, {}, 0.0, 0.0, 0.0});
+      bin.densities.push_back(number_between(table, row, "density", 0.0, unbounded));
+      bin.error = number_between(table, row, "density_error", 0.0, unbounded);
+      bin.scatter =
+          number_between(table, row, "isotropic_scatter", 0.0, unbounded) / isotropic;
+      bin.isotropic = isotropic;
     }
   }
 
   std::vector<OrientationMean> means;
   for (const OrientationBeds &kind : kinds) {
-    OrientationMean mean{kind.panel, kind.group, kind.beds.size(), {}};
+    const BinOfBeds &first = kind.bins.front();
+    // The part q of n isotropic rods scatters by sqrt(q (1 - q)/n), in units of q by s: n follows.
+    const double rods_of_a_bed =
+        (1.0 - first.isotropic) / (first.isotropic * first.scatter * first.scatter);
+    OrientationMean mean{kind.panel,
+                         kind.group,
+                         kind.beds.size(),
+                         rods_of_a_bed * static_cast<double>(kind.beds.size()),
+                         {}};
     for (const BinOfBeds &bin : kind.bins) {
       if (bin.densities.size() != kind.beds.size())
         throw InputError(

@@ -3,26 +3,34 @@
 // rod_orientation or from tables of several beds with the same columns.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "analysis/csv_table.h"
 #include "analysis/mean_with_error.h"
 
 namespace spherocylinder {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+// A number of the table. Throws InputError if it is not from `low` to `high`.
+double number_between(const CsvTable &table, std::size_t row, const std::string &column, double low,
+                      double high);
 
 struct PackingMean {
   std::string group;  // text of the grouping column, empty without one
   double lambda;      // total length / diameter
   std::size_t beds;
-  MeanWithError vf;
+  MeanWithError vf;         // error NaN for a single bed
   MeanWithError sin_gamma;  // <|sin gamma|>; NaN if not in the files
 };
 
 // Reads the columns lambda_mean (or lambda), vf_inner or vf_whole, mean_sin_gamma (if there) and
 // `by`. Rows of one group whose lambda agrees to 0.5 % are beds of one kind. Sorted by lambda
 // within a group, groups in the order they appear. Throws InputError if a file holds one bed twice:
-// beds in one file are told apart by the column seed,
-// or if a row is itself a mean over beds (has a standard error of V_f).
+// beds in one file are told apart by the column seed, if a row is itself a mean over beds (has a
+// standard error of V_f), or if a fraction is not from 0 to 1.
 std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
                                        const std::string &vf_column, const std::string &by);
 
@@ -35,6 +43,7 @@ struct ElevationMean {
 struct OrientationMean {
   std::string panel, group;  // texts of these columns, empty without one
   std::size_t beds;
+  double isotropic_rods;  // how many the isotropic scatter is of: the rods of all beds
   std::vector<ElevationMean> bins;
 };
 

@@ -24,6 +24,8 @@
 
 #include "analysis/input_error.h"
 #include "pictures/annotation.h"
+#include "pictures/drawing_errors.h"
+#include "pictures/font.h"
 #include "pictures/png_file.h"
 
 namespace spherocylinder {
@@ -164,9 +166,7 @@ class FigureItem : public vtkContextItem {
              bool upwards = false)
   {
     vtkTextProperty *style = painter_->GetTextProp();
-    style->SetFontFamily(VTK_FONT_FILE);
-    style->SetFontFile(FIGURE_FONT);
-    style->SetFontSize(static_cast<int>(scale_ * text_height));
+    set_font(style, static_cast<int>(scale_ * text_height));
     style->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
     style->SetJustification(side == Side::left     ? VTK_TEXT_LEFT
                             : side == Side::centre ? VTK_TEXT_CENTERED
@@ -340,6 +340,13 @@ void write_svg(vtkRenderWindow *window, const OutputFile &file, const Figure &fi
 
 }  // namespace
 
+Colour for_letters(const Colour &colour)
+{
+  constexpr double shade = 0.6;
+  const auto darker = [](unsigned char part) { return static_cast<unsigned char>(shade * part); };
+  return {darker(colour.red), darker(colour.green), darker(colour.blue)};
+}
+
 Axis round_axis(const std::string &title, double low, double high)
 {
   const RoundRange range = round_range(low, high);
@@ -357,9 +364,7 @@ OutputFile open_figure(const std::string &path)
 {
   if (ending_of(path) != ".png" && ending_of(path) != ".svg")
     throw InputError(fmt::format("--out: must end in .png or .svg (got '{}')", path));
-  if (!std::ifstream(FIGURE_FONT))
-    throw InputError(
-        fmt::format("the font {} cannot be read (Debian package fonts-dejavu-core)", FIGURE_FONT));
+  need_font();
   return OutputFile(path);
 }
 
@@ -367,6 +372,7 @@ void write_figure(OutputFile &file, const Figure &figure)
 {
   const bool is_png = ending_of(file.path()) == ".png";
   const double scale = is_png ? 2.0 : 1.0;
+  const DrawingErrors errors;
   vtkNew<FigureItem> item;
   item->set(figure, scale);
   vtkNew<vtkContextActor> actor;
@@ -385,6 +391,7 @@ void write_figure(OutputFile &file, const Figure &figure)
     write_png(window, file.working_path());
   else
     write_svg(window, file, figure);
+  errors.expect_none(fmt::format("{}: the figure cannot be drawn", file.path()));
   file.finish();
 }
 

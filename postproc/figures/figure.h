@@ -22,6 +22,9 @@ constexpr Colour black{0, 0, 0}, orange{230, 159, 0}, sky_blue{86, 180, 233}, gr
 }
 constexpr Colour grey{105, 105, 105};
 
+// Darker, of the same hue: letters are thinner than curves and symbols.
+Colour for_letters(const Colour &colour);
+
 enum class Dash { solid, dashed, dotted, dash_dotted };
 enum class Marker { circle, square, diamond, triangle, bar };
 
@@ -46,7 +49,7 @@ struct Curve {
 };
 
 struct Measured {
-  double x, y, error;  // error bar from y - error to y + error; none if 0
+  double x, y, error;  // error bar from y - error to y + error; none if 0 or NaN
 };
 
 struct Series {

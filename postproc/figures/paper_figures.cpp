@@ -92,8 +92,13 @@ void add_theory(Panel &panel)
   for (const Line &line : lines) {
     panel.curves.push_back(theory(line.fraction, line.from, panel.x, line.colour, line.dash));
     panel.labels.push_back({{panel.x.high, line.fraction(panel.x.high)}, 12, 0, line.text,
-                            line.colour});
+                            for_letters(line.colour)});
   }
+}
+
+double upper_end(const MeanWithError &value)
+{
+  return value.mean + (std::isnan(value.error) ? 0.0 : value.error);
 }
 
 // Several curves end closely above each other at large lambda: labels at least a line apart.
@@ -205,9 +210,12 @@ std::vector<LiteraturePoint> read_literature(const std::string &path)
     if (checked != "yes" && checked != "no")
       throw InputError(
           fmt::format("{}: checked is '{}', wanted yes or no", table.place(row), checked));
-    points.push_back({table.number(row, "lambda"), table.number(row, "vf"),
-                      table.is_empty(row, "vf_error") ? 0.0 : table.number(row, "vf_error"),
-                      table.text(row, "kind"), table.text(row, "label"), checked == "yes"});
+    const double error = table.is_empty(row, "vf_error")
+                             ? 0.0
+                             : number_between(table, row, "vf_error", 0.0, unbounded);
+    points.push_back({number_between(table, row, "lambda", 1.0, unbounded),
+                      number_between(table, row, "vf", 0.0, 1.0), error, table.text(row, "kind"),
+                      table.text(row, "label"), checked == "yes"});
   }
   return points;
 }
@@ -219,7 +227,9 @@ Figure packing_figure(const std::vector<PackingMean> &means,
   double longest = 0.0, densest = 0.0;
   for (const PackingMean &mean : means) {
     longest = std::max(longest, mean.lambda);
-    densest = std::max(densest, mean.vf.mean + mean.vf.error);
+    densest = std::max(densest, upper_end(mean.vf));
+    if (!std::isnan(mean.sin_gamma.mean))
+      densest = std::max(densest, random_contact_fraction(mean.lambda, mean.sin_gamma.mean));
   }
   Figure figure;
   figure.right_margin = 245;
@@ -246,7 +256,7 @@ Figure orientation_figure(const std::vector<OrientationMean> &means, const Names
   double highest = 1.0;
   for (const OrientationMean &mean : means)
     for (const ElevationMean &bin : mean.bins)
-      highest = std::max(highest, bin.density.mean + bin.density.error);
+      highest = std::max({highest, upper_end(bin.density), 1.0 + bin.isotropic_scatter});
 
   Figure figure;
   figure.width = panels.size() > 1 ? 700.0 * static_cast<double>(panels.size()) : 1000.0;
@@ -259,7 +269,7 @@ Figure orientation_figure(const std::vector<OrientationMean> &means, const Names
     for (const double degrees : {0., 10., 20., 30., 40., 50., 60., 90.})
       panel.x.ticks.push_back({std::sin(degrees * radians), fmt::format("{:g}°", degrees)});
     panel.y = round_axis("rods per solid angle / isotropic", 0.0, highest);
-    double scatter = 0.0;
+    double scatter = 0.0, isotropic_rods = 0.0;  // of the widest band
     for (const OrientationMean &mean : means) {
       if (mean.panel != part) continue;
       const auto group = static_cast<std::size_t>(
@@ -275,7 +285,10 @@ Figure orientation_figure(const std::vector<OrientationMean> &means, const Names
             0.5 * (std::sin(bin.low * radians) + std::sin(bin.high * radians)) + aside;
         series.points.push_back({x, bin.density.mean, bin.density.error});
         link.points.push_back({x, bin.density.mean});
-        scatter = std::max(scatter, bin.isotropic_scatter);
+        if (bin.isotropic_scatter > scatter) {
+          scatter = bin.isotropic_scatter;
+          isotropic_rods = mean.isotropic_rods;
+        }
       }
       panel.curves.push_back(link);
       panel.series.push_back(series);
@@ -287,7 +300,9 @@ Figure orientation_figure(const std::vector<OrientationMean> &means, const Names
     panel.bands.push_back({1.0 - scatter, 1.0 + scatter, grey, 0.25});
     panel.curves.insert(panel.curves.begin(),
                         Curve{{{0.0, 1.0}, {1.0, 1.0}}, grey, Dash::dashed, 2.0});
-    panel.labels.push_back({{1.0, 1.0 + scatter}, -205, 18, "isotropic, ±1 s.d.", grey});
+    panel.labels.push_back({{1.0, 1.0 + scatter}, -330, 18,
+                            fmt::format("±1 s.d. of {:.0f} isotropic rods", isotropic_rods),
+                            for_letters(grey)});
     panel.key_at = {0.42, 0.98};
   }
   return figure;

@@ -12,22 +12,12 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
+#include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 
+#include "pictures/font.h"
+
 namespace spherocylinder {
-namespace {
-
-void set_style(vtkTextProperty *style, const Ink &ink)
-{
-  style->SetFontFamilyToArial();
-  style->SetFontSize(ink.font_size);
-  style->SetColor(ink.red, ink.green, ink.blue);
-  style->ShadowOff();
-  style->BoldOff();
-  style->ItalicOff();
-}
-
-}  // namespace
 
 double round_length(double most)
 {
@@ -67,11 +57,14 @@ Ink ink_for(const double background[3], int font_size)
   return {shade, shade, shade, font_size};
 }
 
-vtkSmartPointer<vtkTextActor> text(const std::string &words, double x, double y, const Ink &ink)
+vtkSmartPointer<vtkTextActor> text(const std::string &words, double x, double y, const Ink &ink,
+                                   TextAt height)
 {
   auto actor = vtkSmartPointer<vtkTextActor>::New();
   actor->SetInput(words.c_str());
-  set_style(actor->GetTextProperty(), ink);
+  set_font(actor->GetTextProperty(), ink.font_size);
+  actor->GetTextProperty()->SetColor(ink.red, ink.green, ink.blue);
+  if (height == TextAt::middle) actor->GetTextProperty()->SetVerticalJustificationToCentered();
   actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   actor->SetPosition(x, y);
   return actor;
@@ -102,23 +95,19 @@ vtkSmartPointer<vtkActor2D> bar(double x, double y, double width, double thickne
   return actor;
 }
 
-vtkSmartPointer<vtkScalarBarActor> colour_bar(vtkLookupTable *colours, const std::string &title,
-                                              int labels, const Ink &ink)
+vtkSmartPointer<vtkActor2D> colour_bar(vtkLookupTable *colours, double x, double y, double width,
+                                       double height)
 {
   auto actor = vtkSmartPointer<vtkScalarBarActor>::New();
   actor->SetLookupTable(colours);
-  actor->SetTitle(title.c_str());
-  actor->SetNumberOfLabels(labels);
-  actor->SetLabelFormat(" %.3g");
-  actor->UnconstrainedFontSizeOn();
-  set_style(actor->GetTitleTextProperty(), ink);
-  set_style(actor->GetLabelTextProperty(), ink);
-  actor->SetBarRatio(0.25);
-  actor->SetVerticalTitleSeparation(ink.font_size / 2);
+  actor->SetTitle("");
+  actor->DrawTickLabelsOff();
+  actor->SetBarRatio(1.0);
+  actor->SetMaximumNumberOfColors(static_cast<int>(colours->GetNumberOfTableValues()));
   actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  actor->SetPosition(0.86, 0.2);
-  actor->SetWidth(0.1);
-  actor->SetHeight(0.6);
+  actor->SetPosition(x, y);
+  actor->SetWidth(width);
+  actor->SetHeight(height);
   return actor;
 }
 

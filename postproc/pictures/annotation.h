@@ -6,7 +6,6 @@
 
 #include <vtkActor2D.h>
 #include <vtkLookupTable.h>
-#include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
@@ -36,9 +35,12 @@ struct Ink {
 Ink ink_for(const double background[3], int font_size);
 
 // Positions are parts of the picture's width and height, from the lower left.
-vtkSmartPointer<vtkTextActor> text(const std::string &words, double x, double y, const Ink &ink);
+enum class TextAt { foot, middle };  // what of a text's height y means
+
+vtkSmartPointer<vtkTextActor> text(const std::string &words, double x, double y, const Ink &ink,
+                                   TextAt height = TextAt::foot);
 vtkSmartPointer<vtkActor2D> bar(double x, double y, double width, double thickness, const Ink &ink);
-vtkSmartPointer<vtkScalarBarActor> colour_bar(vtkLookupTable *colours, const std::string &title,
-                                              int labels, const Ink &ink);
+vtkSmartPointer<vtkActor2D> colour_bar(vtkLookupTable *colours, double x, double y, double width,
+                                       double height);
 
 }  // namespace spherocylinder

@@ -13,15 +13,18 @@
 #include <vtkLight.h>
 #include <vtkLineSource.h>
 #include <vtkNew.h>
+#include <vtkOutlineSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include "analysis/input_error.h"
+#include "analysis/numbers.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
+#include "pictures/drawing_errors.h"
+#include "pictures/picture_layout.h"
 #include "pictures/png_file.h"
 #include "pictures/rod_surface.h"
 #include "pictures/vessel_surface.h"
@@ -29,26 +32,9 @@
 namespace spherocylinder {
 namespace {
 
-// The picture is drawn this many times larger each way and averaged down: smooth edges whatever
-// the graphics driver can do.
+// The picture is drawn this many times larger each way and averaged down, which smooths edges:
+// ambient occlusion does not go with the driver's own smoothing (multisampling).
 constexpr int oversampling = 2;
-
-// Part of the picture left for rods and vessel; the rest holds bars and caption.
-struct Layout {
-  double left = 0.03, right = 0.83, bottom = 0.13, top = 0.97;
-
-  explicit Layout(bool colour_bar)
-  {
-    if (!colour_bar) right = 0.97;
-  }
-};
-
-// Pixels; a line of the caption fits into tall and narrow pictures too.
-int font_size(const PictureOptions &options)
-{
-  if (options.font_size > 0) return options.font_size;
-  return std::max(std::min(4 * options.height, 3 * options.width) / 180, 10);
-}
 
 struct ViewFrame {
   Vec3 right, up, towards;  // unit, orthogonal; `towards` the viewer
@@ -95,9 +81,13 @@ Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options,
   Extent extent;
   if (!options.only_vessel)
     for (const Rod &rod : rods)
-    for (const double side : {-1.0, 1.0})
-      extent.include(frame, rod.capsule.segment.at(side * rod.capsule.segment.half_length),
-                     rod.capsule.radius);
+      for (const double side : {-1.0, 1.0})
+        extent.include(frame, rod.capsule.segment.at(side * rod.capsule.segment.half_length),
+                       rod.capsule.radius);
+  if (options.box)
+    for (const double x : (*options.box)[0])
+      for (const double y : (*options.box)[1])
+        for (const double z : (*options.box)[2]) extent.include(frame, {x, y, z}, 0.0);
   if (!options.vessel) return extent;
   for (const double z : {options.vessel->z_low, options.vessel->z_high}) {
     const auto ring = vessel_ring(*options.vessel, z);
@@ -148,12 +138,20 @@ void add_line(vtkRenderer *renderer, vtkPolyData *line, const Ink &ink, double w
   actor->GetProperty()->SetLineWidth(static_cast<float>(oversampling * width));
 }
 
-// The half of the wall behind the rods, the floor, the two rings and the outline's two uprights.
-void add_vessel(vtkRenderer *renderer, const UprightCylinder &vessel, const ViewFrame &frame,
-                const Ink &ink)
+void add_box(vtkRenderer *renderer, const Box &box, const Ink &ink)
+{
+  vtkNew<vtkOutlineSource> edges;
+  edges->SetBounds(box[0][0], box[0][1], box[1][0], box[1][1], box[2][0], box[2][1]);
+  edges->Update();
+  add_line(renderer, edges->GetOutput(), ink, 1.2);
+}
+
+// The half of the wall behind the rods, the floor, the two rings (the upper one dashed if the
+// vessel goes on above it) and the outline's two uprights.
+void add_vessel(vtkRenderer *renderer, const UprightCylinder &vessel, bool goes_on,
+                const ViewFrame &frame, const Ink &ink)
 {
   const bool from_above = frame.towards.z == 1.0;
-  const double pi = std::acos(-1.0);
   WallArc back;
   if (!from_above) {
     back.begin = std::atan2(frame.towards.y, frame.towards.x) + 0.5 * pi;
@@ -166,8 +164,10 @@ void add_vessel(vtkRenderer *renderer, const UprightCylinder &vessel, const View
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetOpacity(opacity);
   }
-  for (const double z : {vessel.z_low, vessel.z_high})
-    add_line(renderer, vessel_ring(vessel, z), ink, 1.2);
+  const double top = vessel.z_high;
+  add_line(renderer, vessel_ring(vessel, vessel.z_low), ink, 1.2);
+  add_line(renderer, goes_on ? dashed_vessel_ring(vessel, top) : vessel_ring(vessel, top), ink,
+           1.2);
   if (from_above) return;
   for (const double side : {-vessel.radius, vessel.radius}) {
     const Vec3 foot = Vec3{vessel.x, vessel.y, 0.0} + side * frame.right;
@@ -200,13 +200,15 @@ void add_lights(vtkRenderer *renderer)
 // Points the camera so that the extent fills its part of the picture; returns the width of the
 // whole picture in metres.
 double aim_camera(vtkRenderer *renderer, const ViewFrame &frame, const Extent &extent,
-                  const Layout &layout, double aspect)
+                  const PictureLayout &layout, const PictureOptions &options)
 {
-  const double picture_height = std::max(extent.size(1) / (layout.top - layout.bottom),
-                                         extent.size(0) / ((layout.right - layout.left) * aspect));
-  const double picture_width = picture_height * aspect;
-  const double x = extent.middle(0) - (0.5 * (layout.left + layout.right) - 0.5) * picture_width;
-  const double y = extent.middle(1) - (0.5 * (layout.bottom + layout.top) - 0.5) * picture_height;
+  const double pixel = std::max(extent.size(0) / (layout.right - layout.left),
+                                extent.size(1) / (layout.top - layout.bottom));  // metres
+  const double picture_width = pixel * options.width, picture_height = pixel * options.height;
+  const double x =
+      extent.middle(0) - 0.5 * (layout.left + layout.right - options.width) * pixel;
+  const double y =
+      extent.middle(1) - 0.5 * (layout.bottom + layout.top - options.height) * pixel;
   const Vec3 focus = x * frame.right + y * frame.up + extent.middle(2) * frame.towards;
   const Vec3 eye = focus + (extent.size(2) + picture_width) * frame.towards;
 
@@ -220,15 +222,38 @@ double aim_camera(vtkRenderer *renderer, const ViewFrame &frame, const Extent &e
   return picture_width;
 }
 
-void add_annotation(vtkRenderer *renderer, const PictureOptions &options, const Layout &layout,
-                    double picture_width, vtkScalarBarActor *colours, const Ink &ink)
+// What stands beside the colours.
+PictureWords words_of(const PictureOptions &options, const std::string &title,
+                      const RoundRange &range)
 {
+  PictureWords words{options.caption, broken_into_lines(title), {}};
+  for (int i = 0; options.colour_bar && i < range.labels; ++i)
+    words.labels.push_back(fmt::format(
+        "{:.3g}", range.low + i * (range.high - range.low) / (range.labels - 1)));
+  return words;
+}
+
+void add_annotation(vtkRenderer *renderer, const PictureOptions &options,
+                    const PictureLayout &at, const PictureWords &words, vtkLookupTable *colours,
+                    double picture_width, const Ink &ink)
+{
+  const double width = options.width, height = options.height;
+  const auto add_text = [&](const std::string &text_, double x, double y, TextAt foot) {
+    renderer->AddActor2D(text(text_, x / width, y / height, ink, foot));
+  };
   const double length = round_length(0.25 * picture_width);
-  const double line = 1.0 / options.height;  // one pixel
-  renderer->AddActor2D(bar(layout.left, 0.065, length / picture_width, 4.0 * line, ink));
-  renderer->AddActor2D(text(length_label(length), layout.left, 0.065 + 8.0 * line, ink));
-  renderer->AddActor2D(text(options.caption, layout.left, 0.02, ink));
-  if (options.colour_bar) renderer->AddActor2D(colours);
+  renderer->AddActor2D(bar(at.left / width, at.scale_y / height, length / picture_width,
+                           at.scale_thickness / height, ink));
+  add_text(length_label(length), at.left, at.scale_label_y, TextAt::foot);
+  add_text(words.caption, at.left, at.caption_y, TextAt::foot);
+  if (words.labels.empty()) return;
+  renderer->AddActor2D(colour_bar(colours, at.bar_left / width, at.bar_bottom / height,
+                                  at.bar_width / width, at.bar_height / height));
+  add_text(words.title, at.bar_left, at.title_y, TextAt::foot);
+  const double step = at.bar_height / static_cast<double>(words.labels.size() - 1);
+  for (std::size_t i = 0; i < words.labels.size(); ++i)
+    add_text(words.labels[i], at.bar_left + at.bar_width + at.label_gap,
+             at.bar_bottom + static_cast<double>(i) * step, TextAt::middle);
 }
 
 }  // namespace
@@ -238,17 +263,21 @@ Vec3 towards_viewer(View view) { return frame_of(view).towards; }
 void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
                        const RodQuantity &colour, const PictureOptions &options)
 {
-  const Layout layout(options.colour_bar);
+  const RoundRange range = round_range(colour.low, colour.high);
+  const PictureWords words = words_of(options, colour.title, range);
+  const PictureLayout layout = lay_out(options.width, options.height, options.font_size, words);
   const ViewFrame frame = frame_of(options.view);
   const Extent extent = extent_of(rods, options, frame);
-  const Ink ink = ink_for(options.background, oversampling * font_size(options));
-  const RoundRange range = round_range(colour.low, colour.high);
+  const Ink ink = ink_for(options.background, oversampling * layout.font_size);
   const auto colours = viridis(range.low, range.high);
 
+  const DrawingErrors errors;
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(options.background[0], options.background[1], options.background[2]);
   add_rods(renderer, rods, colour, colours, options.resolution);
-  if (options.vessel) add_vessel(renderer, *options.vessel, frame, ink);
+  if (options.vessel)
+    add_vessel(renderer, *options.vessel, options.vessel_goes_on, frame, ink);
+  if (options.box) add_box(renderer, *options.box, ink);
   add_lights(renderer);
 
   // Ambient occlusion darkens the gaps between rods, which tells near from far in a bed.
@@ -264,12 +293,12 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   window->SetMultiSamples(0);
   window->SetSize(oversampling * options.width, oversampling * options.height);
   window->AddRenderer(renderer);
-  const double picture_width = aim_camera(renderer, frame, extent, layout,
-                                          static_cast<double>(options.width) / options.height);
-  add_annotation(renderer, options, layout, picture_width,
-                 colour_bar(colours, colour.title, range.labels, ink), ink);
+  const double picture_width = aim_camera(renderer, frame, extent, layout, options);
+  add_annotation(renderer, options, layout, words, colours, picture_width, ink);
   window->Render();
   write_png(window, path, oversampling);
+  errors.expect_none(
+      fmt::format("the picture of {}x{} pixels cannot be drawn", options.width, options.height));
 }
 
 }  // namespace spherocylinder

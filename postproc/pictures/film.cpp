@@ -51,8 +51,8 @@ void write_film(const std::string &path, const std::string &picture, double rate
   pattern.replace_filename(pattern.stem().string() + "_%04d" + pattern.extension().string());
   if (!is_on_path("ffmpeg")) {
     fmt::print(stderr,
-               "rod_render: {}: not made, since ffmpeg is not installed; its pictures are {}\n", path,
-               pattern.string());
+               "rod_render: {}: not made, since ffmpeg is not installed; its pictures are {}\n",
+               path, pattern.string());
     return;
   }
   OutputFile output(path);

@@ -45,14 +45,21 @@ void add_axes(vtkFieldData *data, const std::vector<vtkIdType> &rod_of,
   data->AddArray(array);
 }
 
-bool is_said_otherwise(const std::string &column)
-{
-  constexpr std::array shape{"id",    "type",  "shapex", "shapey", "shapez",
-                             "quat1", "quat2", "quat3",  "quat4"};
-  return std::find(shape.begin(), shape.end(), column) != shape.end();
-}
-
 }  // namespace
+
+std::vector<std::size_t> other_columns(const DumpFrame &frame, const std::vector<std::string> &said)
+{
+  const std::array rod{"id",    "type",  "shapex", "shapey", "shapez",
+                       "quat1", "quat2", "quat3",  "quat4"};
+  std::vector<std::size_t> others;
+  for (std::size_t column = 0; column < frame.columns.size(); ++column) {
+    const std::string &name = frame.columns[column];
+    if (std::find(rod.begin(), rod.end(), name) == rod.end() &&
+        std::find(said.begin(), said.end(), name) == said.end())
+      others.push_back(column);
+  }
+  return others;
+}
 
 void attach_rod_data(const RodGeometry &geometry, const DumpFrame &frame,
                      const std::vector<Rod> &rods)
@@ -75,9 +82,9 @@ void attach_rod_data(const RodGeometry &geometry, const DumpFrame &frame,
   if (!speed.empty()) add("speed", [&](vtkIdType i) { return speed[i]; });
   if (!omega.empty()) add("omega", [&](vtkIdType i) { return omega[i]; });
 
-  for (std::size_t column = 0; column < frame.columns.size(); ++column) {
+  for (const std::size_t column : other_columns(frame)) {
     const std::string &name = frame.columns[column];
-    if (!is_said_otherwise(name) && !cells->HasArray(name.c_str()))
+    if (!cells->HasArray(name.c_str()))
       add(name, [&](vtkIdType i) { return frame.value(static_cast<std::size_t>(i), column); });
   }
   add_numbers<vtkFloatArray>(geometry.mesh->GetPointData(), geometry.rod_of_point, "radius",

@@ -18,7 +18,7 @@ vtkIdType add_point(vtkPoints *points, const UprightCylinder &vessel, double ang
                                  vessel.y + vessel.radius * std::sin(angle), z);
 }
 
-double angle_of(int i, const WallArc &arc) { return arc.begin + arc.span * i / facets; }
+double angle_of(double i, const WallArc &arc) { return arc.begin + arc.span * i / facets; }
 
 vtkSmartPointer<vtkPolyData> poly_data(vtkPoints *points)
 {
@@ -67,6 +67,21 @@ vtkSmartPointer<vtkPolyData> vessel_ring(const UprightCylinder &vessel, double z
     line->InsertCellPoint(add_point(points, vessel, angle_of(i, {}), z));
   auto data = poly_data(points);
   data->SetLines(line);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> dashed_vessel_ring(const UprightCylinder &vessel, double z)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> dashes;
+  // Dashes lie evenly about the x and y axes, so that from the side the front covers the back.
+  for (int i = 0; i < facets; i += 2) {
+    dashes->InsertNextCell(2);
+    for (const double end : {i - 0.5, i + 0.5})
+      dashes->InsertCellPoint(add_point(points, vessel, angle_of(end, {}), z));
+  }
+  auto data = poly_data(points);
+  data->SetLines(dashes);
   return data;
 }
 

@@ -18,7 +18,8 @@ struct WallArc {
 vtkSmartPointer<vtkPolyData> vessel_wall(const UprightCylinder &vessel, const WallArc &arc = {});
 vtkSmartPointer<vtkPolyData> vessel_floor(const UprightCylinder &vessel);
 
-// Circle of the vessel's radius at height z, as one line.
+// Circle of the vessel's radius at height z: one line, or dashes.
 vtkSmartPointer<vtkPolyData> vessel_ring(const UprightCylinder &vessel, double z);
+vtkSmartPointer<vtkPolyData> dashed_vessel_ring(const UprightCylinder &vessel, double z);
 
 }  // namespace spherocylinder

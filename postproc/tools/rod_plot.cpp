@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // rod_plot: the study's plots from the CSV files of rod_packing and rod_orientation.
 // docs/rod_plot.md
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -50,12 +51,15 @@ void plot_packing(const Options &options, char **argv)
   std::vector<std::string> left_out;
   write_all(packing_figure(means, literature, names_of(options.names), left_out), options, argv);
 
+  const auto number = [](double value) {
+    return std::isnan(value) ? std::string("-") : fmt::format("{:.4f}", value);
+  };
   fmt::print("{:>12} {:>8} {:>5} {:>10} {:>8} {:>16}\n", options.by.empty() ? "" : options.by,
              "lambda", "beds", "V_f", "error", "random contacts");
   for (const PackingMean &mean : means)
-    fmt::print("{:>12} {:8.4g} {:5} {:10.4f} {:8.4f} {:16.4f}\n", mean.group, mean.lambda,
-               mean.beds, mean.vf.mean, mean.vf.error,
-               random_contact_fraction(mean.lambda, mean.sin_gamma.mean));
+    fmt::print("{:>12} {:8.4g} {:5} {:>10} {:>8} {:>16}\n", mean.group, mean.lambda, mean.beds,
+               number(mean.vf.mean), number(mean.vf.error),
+               number(random_contact_fraction(mean.lambda, mean.sin_gamma.mean)));
   for (const std::string &sentence : left_out) fmt::print("left out: {}\n", sentence);
 }
 
@@ -83,7 +87,10 @@ int main(int argc, char **argv)
 {
   Options options;
   CLI::App app("Plots of solid fraction and orientation, for print.", "rod_plot");
-  app.footer("Example: rod_plot packing packing.csv --out figure3.svg figure3.png");
+  app.footer(
+      "Example: rod_plot packing packing.csv --out figure3.svg figure3.png\n"
+      "         rod_plot packing beds.csv --by limits --literature literature.csv --out f.png\n"
+      "         rod_plot orientation elevation.csv --by lambda --panels limits --out figure4.svg");
   app.require_subcommand(1);
 
   CLI::App *packing = app.add_subcommand("packing", "solid volume fraction against aspect ratio");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -23,6 +23,7 @@
 #include "pictures/bed_picture.h"
 #include "pictures/display.h"
 #include "pictures/film.h"
+#include "pictures/font.h"
 
 using namespace spherocylinder;
 
@@ -48,7 +49,7 @@ struct Options {
 
 void set_size(PictureOptions &picture, const std::string &size)
 {
-  constexpr int smallest = 200, largest = 8000;  // pixels
+  constexpr int smallest = 200, largest = 4000;  // pixels
   const auto cross = size.find('x');
   const auto width = to_number<int>(std::string_view(size).substr(0, cross));
   const auto height = cross == std::string::npos
@@ -74,6 +75,15 @@ void set_background(PictureOptions &picture, const std::string &name)
   for (int i = 0; i < 3; ++i) picture.background[i] = colour[i] / 255.0;
 }
 
+CLI::Validator picture_name()
+{
+  const auto check = [](const std::string &path) {
+    if (std::filesystem::path(path).extension() == ".png") return std::string();
+    return fmt::format("must end in .png (got '{}')", path);
+  };
+  return CLI::Validator(check, "");
+}
+
 View view_of(const std::string &name)
 {
   return name == "side" ? View::side : name == "top" ? View::top : View::oblique;
@@ -88,8 +98,8 @@ std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std
     high = std::max(high, rod.capsule.aspect_ratio());
   }
   const bool several = high - low > 1e-4 * high;  // wider than the rounding of a dump
-  std::string caption = several ? fmt::format("lambda = {:.3g} to {:.3g}", low, high)
-                                : fmt::format("lambda = {:.4g}", high);
+  std::string caption = several ? fmt::format("λ = {:.3g} to {:.3g}", low, high)
+                                : fmt::format("λ = {:.4g}", high);
   caption += shown == rods.size() ? fmt::format(",  {} rods,  ", rods.size())
                                   : fmt::format(",  {} of {} rods,  ", shown, rods.size());
   if (frame.time) return caption + fmt::format("t = {:.4g} s", *frame.time);
@@ -99,42 +109,73 @@ std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std
 }
 
 // Up to --top, or only the part of the vessel that holds rods, and a little more.
-UprightCylinder drawn_part(const Vessel &vessel, const std::vector<Rod> &rods,
-                           const Options &options)
+void set_vessel(PictureOptions &picture, const Vessel &vessel, const std::vector<Rod> &rods,
+                const Options &options)
 {
-  if (options.top) return vessel_up_to(vessel, *options.top);
   const double bed = bed_height(rods).highest_point - vessel.floor;
-  double height = 1.1 * std::max(bed, 0.25 * vessel.radius);
-  if (options.vessel_height) height = std::min(height, *options.vessel_height);
-  return vessel_up_to(vessel, vessel.floor + height);
+  const double part = options.top ? *options.top - vessel.floor
+                                  : 1.1 * std::max(bed, 0.25 * vessel.radius);
+  const double whole = options.vessel_height.value_or(std::numeric_limits<double>::infinity());
+  picture.vessel_goes_on = part < whole;
+  picture.vessel = vessel_up_to(vessel, vessel.floor + std::min(part, whole));
 }
 
-bool is_shown(const Rod &rod, const std::optional<Vessel> &vessel, const Options &options,
-              const Vec3 &towards)
+bool is_above_top(const Rod &rod, const Options &options)
 {
-  const Segment &segment = rod.capsule.segment;
-  const double highest =
-      segment.centre.z + std::abs(segment.axis.z) * segment.half_length + rod.capsule.radius;
-  if (options.top && highest > *options.top) return false;
-  if (!options.cut) return true;
-  const Vec3 from_axis{segment.centre.x - vessel->x, segment.centre.y - vessel->y, 0.0};
-  return dot(from_axis, towards) <= 0.0;
+  return options.top && highest_point(rod.capsule) > *options.top;
 }
 
-// The rods that are shown, and their numbers.
-std::vector<Rod> shown_part(const std::vector<Rod> &rods, RodQuantity &colour,
-                            const std::optional<Vessel> &vessel, const Options &options)
+bool is_cut_off(const Rod &rod, const std::optional<Vessel> &vessel, const Options &options)
 {
-  const Vec3 towards = towards_viewer(view_of(options.view));
+  if (!options.cut) return false;
+  const Vec3 &centre = rod.capsule.segment.centre;
+  const Vec3 from_axis{centre.x - vessel->x, centre.y - vessel->y, 0.0};
+  return dot(from_axis, towards_viewer(view_of(options.view))) > 0.0;
+}
+
+// The rods that are shown, and their numbers. Throws InputError if the vessel does not hold them.
+std::vector<Rod> shown_part(const DumpFrame &frame, const std::vector<Rod> &rods,
+                            RodQuantity &colour, const std::optional<Vessel> &vessel,
+                            const Options &options)
+{
+  Bed below_top{frame, {}, 0};
   std::vector<Rod> part;
   std::vector<double> values;
   for (std::size_t i = 0; i < rods.size(); ++i) {
-    if (!is_shown(rods[i], vessel, options, towards)) continue;
+    if (is_above_top(rods[i], options)) continue;
+    below_top.rods.push_back(rods[i]);
+    if (is_cut_off(rods[i], vessel, options)) continue;
     part.push_back(rods[i]);
     values.push_back(colour.values[i]);
   }
+  if (vessel) need_rods_inside(below_top, *vessel);
   colour.values = std::move(values);
   return part;
+}
+
+// The dump's box in the directions in which it is periodic; in the others, what holds the rods.
+// Nothing for a box that is not periodic or is tilted: the bounds of that are not its edges.
+std::optional<Box> periodic_box(const DumpFrame &frame, const std::vector<Rod> &rods)
+{
+  const auto &periodic = frame.periodic;
+  if (frame.box_is_tilted || std::find(periodic.begin(), periodic.end(), true) == periodic.end())
+    return std::nullopt;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box box = frame.box;
+  for (int i = 0; i < 3; ++i)
+    if (!periodic[i]) box[i] = {infinity, -infinity};
+  for (const Rod &rod : rods) {
+    const Segment &s = rod.capsule.segment;
+    const double centre[] = {s.centre.x, s.centre.y, s.centre.z};
+    const double axis[] = {s.axis.x, s.axis.y, s.axis.z};
+    for (int i = 0; i < 3; ++i) {
+      if (periodic[i]) continue;
+      const double reach = std::abs(axis[i]) * s.half_length + rod.capsule.radius;
+      box[i][0] = std::min(box[i][0], centre[i] - reach);
+      box[i][1] = std::max(box[i][1], centre[i] + reach);
+    }
+  }
+  return box;
 }
 
 void check(const Options &options, const std::optional<Vessel> &vessel, bool several)
@@ -188,6 +229,7 @@ void run(const Options &options, char **argv)
   const bool several = choice.kind == FrameChoice::Kind::all;
   const std::optional<Vessel> vessel = options.vessel.walled_vessel();
   check(options, vessel, several);
+  need_font();
 
   std::size_t pictures = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
@@ -201,12 +243,13 @@ void run(const Options &options, char **argv)
       colour.low = options.range[0];
       colour.high = options.range[1];
     }
-    const std::vector<Rod> part = shown_part(rods, colour, vessel, options);
+    const std::vector<Rod> part = shown_part(frame, rods, colour, vessel, options);
     if (part.empty() && !options.top)
       throw InputError(fmt::format("{}: step {}: --cut leaves none of its {} rods", frame.path,
                                    frame.step, rods.size()));
     picture.caption = caption_of(frame, rods, part.size(), options.timestep);
-    if (vessel) picture.vessel = drawn_part(*vessel, rods, options);
+    if (vessel) set_vessel(picture, *vessel, rods, options);
+    if (!vessel) picture.box = periodic_box(frame, rods);
     const std::string path = several ? numbered(options.out, ++pictures) : options.out;
     OutputFile output(path);
     need_display(argv);  // last: whatever is wrong with the input is said before
@@ -226,11 +269,17 @@ int main(int argc, char **argv)
 {
   Options options;
   CLI::App app("Pictures of a bed of rods, and films of them.", "rod_render");
-  app.footer("Example: rod_render bed.dump --out bed.png --vessel-radius 0.305 --view side");
+  app.footer(
+      "Example: rod_render bed.dump --out bed.png --vessel-radius 0.305 --view side\n"
+      "         rod_render pour.dump.gz --out speed.png --colour speed --range 0 0.1\n"
+      "         rod_render bed.dump --out inside.png --vessel-radius 0.305 --cut\n"
+      "         rod_render pour.dump --frame all --out pour.png --film pour.mp4 "
+      "--vessel-radius 0.305 --top 0.6");
   add_input_options(app, options.input);
   app.add_option("--out", options.out,
                  "PNG file to write; with --frame all NAME_0001.png and so on")
-      ->required();
+      ->required()
+      ->check(picture_name());
   app.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   app.add_option("--view", options.view, "side, top or oblique")
       ->check(CLI::IsMember({"side", "top", "oblique"}))
@@ -260,7 +309,8 @@ int main(int argc, char **argv)
   app.add_option("--background", options.background, "colour's name or #rrggbb")
       ->capture_default_str();
   app.add_option("--font-size", options.font_size,
-                 "height of the letters in pixels, by default a 45th of the picture's height")
+                 "height of the letters in pixels, by default a 45th of the picture's height or "
+                 "what fits")
       ->check(CLI::Range(6, 400));
   app.add_flag("--no-colour-bar,--no-color-bar", options.no_bar, "leave out the colour bar");
   app.add_option("--resolution", options.resolution, "corners around a rod")

@@ -58,6 +58,10 @@ void run(const Options &options)
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
     const std::vector<Rod> rods = rods_of(frame);
     const double time = time_of(frame, options);
+    if (options.ovito) {
+      if (!ovito) ovito.emplace(options.out + ".xyz");
+      ovito->add(frame, rods, time);
+    }
     const RodGeometry geometry =
         options.geometry == "lines" ? rod_lines(rods) : rod_surfaces(rods, options.resolution);
     attach_rod_data(geometry, frame, rods);
@@ -72,9 +76,6 @@ void run(const Options &options)
     series.add(time, file);
     for (std::size_t i = 0; i < vessel.size(); ++i)
       series.add(time, vessel[i], static_cast<int>(i) + 1);
-    if (!options.ovito) return;
-    if (!ovito) ovito.emplace(options.out + ".xyz");
-    ovito->add(frame, rods, time);
   });
   series.write();
   if (ovito) ovito->close();
@@ -89,7 +90,11 @@ int main(int argc, char **argv)
   Options options;
   CLI::App app("Rods of a dump as VTK files (.vtp, and .pvd for the series) for ParaView.",
                "rod_vtk");
-  app.footer("Example: rod_vtk bed.dump --out vtk/bed --geometry capsules --timestep 2e-5");
+  app.footer(
+      "Example: rod_vtk pour.dump --out vtk/pour --timestep 2e-5\n"
+      "         rod_vtk pour.dump.gz --out lines --geometry lines --ovito\n"
+      "         rod_vtk bed.dump --out bed --frame last --vessel-radius 0.305 "
+      "--vessel-height 0.6");
   add_input_options(app, options.input);
   app.add_option("--out", options.out, "PREFIX of the files to write")->capture_default_str();
   app.add_option("--geometry", options.geometry, "capsules (triangles) or lines")

@@ -98,6 +98,7 @@ TEST_F(Figures, BedsOfOneKindAreAveraged)
   EXPECT_NEAR(means[1].vf.error, 0.02, 1e-15);  // half the difference of two
   EXPECT_NEAR(means[1].sin_gamma.mean, 0.75, 1e-15);
   EXPECT_EQ(means[2].group, "none");
+  EXPECT_TRUE(std::isnan(means[2].vf.error));  // of one bed
 }
 
 TEST_F(Figures, OneBedTwiceIsRefused)
@@ -112,6 +113,19 @@ TEST_F(Figures, OneBedTwiceIsRefused)
 
 TEST_F(Figures, WrongNumbersAreRefused)
 {
+  expect_refusal([&] { packing("lambda,vf_inner\n10,0.4\n20,-4e5\n"); },
+                 "packing.csv:3: vf_inner is -400000, wanted from 0 to 1");
+  expect_refusal([&] { packing("lambda,vf_inner\n10,1.01\n"); }, "vf_inner is 1.01, wanted from 0");
+  expect_refusal([&] { packing("lambda,vf_inner,mean_sin_gamma\n10,0.4,1.2\n"); },
+                 "mean_sin_gamma is 1.2, wanted from 0 to 1");
+  for (const char *row : {"0.5,0.1,", "10,-0.1,", "10,0.1,-1"})
+    expect_refusal(
+        [&] {
+          read_literature(write("l.csv", "lambda,vf,vf_error,kind,label,checked\n" +
+                                             std::string(row) + ",a,b,yes\n"));
+        },
+        "l.csv:2: ");
+  expect_refusal([&] { orientation("1,0,30,-2,0.1,0.5,0.05\n"); }, "density is -2, wanted >= 0");
   expect_refusal([&] { packing("lambda,vf_inner\n0.5,0.4\n"); }, "lambda is 0.5, wanted >= 1");
   expect_refusal([&] { packing("lambda,vf\n10,0.4\n"); }, "column 'vf_inner' is missing");
   expect_refusal(
@@ -141,11 +155,13 @@ TEST_F(Figures, OrientationOverBeds)
   EXPECT_EQ(one[0].bins[0].density.mean, 1.5);
   EXPECT_EQ(one[0].bins[0].density.error, 0.1);
   EXPECT_NEAR(one[0].bins[0].isotropic_scatter, 0.1, 1e-15);
+  EXPECT_NEAR(one[0].isotropic_rods, 100.0, 1e-9);  // sqrt(0.5 0.5/100) = 0.05
   const auto two = orientation("1,0,30,1.5,0.1,0.5,0.05\n2,0,30,1.7,0.1,0.5,0.05\n");
   EXPECT_EQ(two[0].beds, 2u);
   EXPECT_NEAR(two[0].bins[0].density.mean, 1.6, 1e-15);
   EXPECT_NEAR(two[0].bins[0].density.error, 0.1, 1e-15);
   EXPECT_NEAR(two[0].bins[0].isotropic_scatter, 0.1 / std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(two[0].isotropic_rods, 200.0, 1e-9);
 }
 
 double value_at(const Curve &curve, double x)
@@ -194,6 +210,58 @@ TEST(PaperFigures, BedsAndTheirOwnRandomContacts)
   EXPECT_EQ(panel.key[1].text, "b, one bed");
 }
 
+// Relative luminance of sRGB as the Web Content Accessibility Guidelines (2.1) define it; they want
+// a contrast of 4.5 of letters to their ground, here white.
+double contrast_to_white(const Colour &colour)
+{
+  const auto linear = [](unsigned char part) {
+    const double c = part / 255.0;
+    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  const double luminance =
+      0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) + 0.0722 * linear(colour.blue);
+  return 1.05 / (luminance + 0.05);
+}
+
+TEST(PaperFigures, LettersAreDarkEnough)
+{
+  EXPECT_NEAR(contrast_to_white({255, 255, 255}), 1.0, 1e-12);
+  EXPECT_NEAR(contrast_to_white({0, 0, 0}), 21.0, 1e-12);
+  std::vector<std::string> left_out;
+  const Figure packing = packing_figure({{"", 30, 1, {0.1, NAN}, {NAN, NAN}}}, {}, {}, left_out);
+  const Figure orientation =
+      orientation_figure({{"", "", 1, 25, {{0, 90, {1, 0}, 0.2}}}}, {}, false);
+  ASSERT_EQ(packing.panels.at(0).labels.size(), 3u);
+  ASSERT_EQ(orientation.panels.at(0).labels.size(), 1u);
+  for (const Figure &figure : {packing, orientation})
+    for (const Label &label : figure.panels.at(0).labels)
+      EXPECT_GE(contrast_to_white(label.colour), 4.5) << label.text;
+}
+
+// Aligned rods touch at few places: the random contacts of theirs lie above all else, at
+// 10.5 (19/4 + 1/6)/(38 + 4/3) = 1.31 for lambda = 20.
+TEST(PaperFigures, AxesHoldAllThatIsDrawn)
+{
+  std::vector<std::string> left_out;
+  const Figure figure = packing_figure({{"", 20, 1, {0.9, NAN}, {0.0, NAN}}}, {}, {}, left_out);
+  const Panel &panel = figure.panels.at(0);
+  for (const Series &series : panel.series)
+    for (const Measured &point : series.points) EXPECT_TRUE(panel.y.holds(point.y)) << point.y;
+  EXPECT_NEAR(panel.series.at(0).points.at(0).y, 1.3125, 5e-3);
+  const Figure other = orientation_figure({{"", "", 1, 25, {{0, 90, {4, NAN}, 0.2}}}}, {}, false);
+  EXPECT_TRUE(other.panels.at(0).y.holds(4.0));
+}
+
+// The band is that of the group with fewest rods, whose number stands beside it.
+TEST(PaperFigures, BandSaysOfHowManyRodsItIs)
+{
+  const Figure figure = orientation_figure({{"", "10", 1, 500, {{0, 90, {1, 0.1}, 0.2}}},
+                                            {"", "20", 1, 700, {{0, 90, {1, 0.1}, 0.1}}}},
+                                           {}, true);
+  EXPECT_EQ(figure.panels.at(0).labels.at(0).text, "±1 s.d. of 500 isotropic rods");
+  EXPECT_NEAR(figure.panels.at(0).bands.at(0).high, 1.2, 1e-12);
+}
+
 TEST(PaperFigures, PublishedValues)
 {
   std::vector<std::string> left_out;
@@ -216,7 +284,8 @@ TEST(PaperFigures, PublishedValues)
 // are at 1/4 and 3/4.
 TEST(PaperFigures, ElevationIsOnAScaleOfSolidAngle)
 {
-  const OrientationMean mean{"", "10", 2, {{0, 30, {1.5, 0.1}, 0.2}, {30, 90, {0.5, 0.1}, 0.2}}};
+  const OrientationMean mean{
+      "", "10", 2, 25, {{0, 30, {1.5, 0.1}, 0.2}, {30, 90, {0.5, 0.1}, 0.2}}};
   const Figure figure = orientation_figure({mean}, {}, true);
   const Panel &panel = figure.panels.at(0);
   ASSERT_EQ(panel.series.size(), 1u);

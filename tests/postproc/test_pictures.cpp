@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include <vtkCell.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyDataMapper2D.h>
 
+#include "analysis/input_error.h"
 #include "core/closest_points.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
+#include "pictures/drawing_errors.h"
+#include "pictures/font.h"
+#include "pictures/picture_layout.h"
 #include "pictures/rod_surface.h"
 #include "pictures/vessel_surface.h"
 #include "test_bed.h"
@@ -82,11 +89,33 @@ TEST(RodSurface, LinesEndWhereTheCylinderPartEnds)
 TEST(VesselSurface, LiesOnTheCylinder)
 {
   const UprightCylinder vessel{1, 2, 3, -1, 1};
-  for (const auto &mesh : {vessel_wall(vessel), vessel_floor(vessel), vessel_ring(vessel, 0.5)})
+  for (const auto &mesh : {vessel_wall(vessel), vessel_floor(vessel), vessel_ring(vessel, 0.5),
+                           dashed_vessel_ring(vessel, 0.5)})
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i) {
       const Vec3 p = load(mesh->GetPoint(i));
       EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 3.0, 1e-6);
     }
+}
+
+// Front and back dashes cover each other from the side and from the front, and half is gaps.
+TEST(VesselSurface, DashesLieBehindEachOther)
+{
+  const auto ring = dashed_vessel_ring({0, 0, 3, -1, 1}, 0.5);
+  const auto is_there = [&](double x, double y) {
+    for (vtkIdType i = 0; i < ring->GetNumberOfPoints(); ++i) {
+      const double *p = ring->GetPoint(i);
+      if (std::hypot(p[0] - x, p[1] - y) < 1e-6) return true;
+    }
+    return false;
+  };
+  double drawn = 0.0;
+  for (vtkIdType i = 0; i < ring->GetNumberOfCells(); ++i) {
+    vtkPoints *ends = ring->GetCell(i)->GetPoints();
+    const Vec3 a = load(ends->GetPoint(0)), b = load(ends->GetPoint(1));
+    EXPECT_TRUE(is_there(a.x, -a.y) && is_there(-a.x, a.y));
+    drawn += norm(b - a);
+  }
+  EXPECT_NEAR(drawn, 3.0 * std::acos(-1.0), 1e-3);
 }
 
 TEST(Annotation, RoundNumbers)
@@ -104,6 +133,106 @@ TEST(Annotation, RoundNumbers)
   EXPECT_LT(round_range(3, 3).low, 3.0);
   EXPECT_GT(round_range(3, 3).high, 3.0);
   EXPECT_EQ(round_range(0, 90).labels, 7);
+}
+
+TEST(Annotation, LinesAreBrokenAtBlanks)
+{
+  EXPECT_EQ(broken_into_lines("elevation (deg)"), "elevation\n(deg)");
+  EXPECT_EQ(broken_into_lines("angular velocity (rad/s)"), "angular\nvelocity\n(rad/s)");
+  EXPECT_EQ(broken_into_lines("one two three"), "one two\nthree");  // 7 letters, 13 with the third
+  EXPECT_EQ(broken_into_lines("c_temperature_of_rod"), "c_temperature_of_rod");
+}
+
+// Twice as large letters are twice as wide, to the rounding of each letter to pixels; two lines are
+// higher than one.
+TEST(Font, SizeOfText)
+{
+  need_font();
+  const TextSize small = size_of_text("λ = 30", 20), large = size_of_text("λ = 30", 40);
+  EXPECT_GT(small.width, 3 * 20);  // six letters, none below half as wide as high on the average
+  EXPECT_NEAR(large.width, 2 * small.width, 6);
+  EXPECT_GT(size_of_text("a\nb", 20).height, size_of_text("b", 20).height + 15);
+}
+
+const PictureWords words{"λ = 30,  700 rods,  step 500000", "elevation\n(deg)",
+                         {"0", "15", "30", "45", "60", "75", "90"}};
+
+// Letters keep to the picture and to themselves, whatever its shape: nothing beyond the edges, the
+// colour bar's column beside the room for the rods, caption, scale bar and room above each other.
+TEST(PictureLayout, NothingLiesOverAnother)
+{
+  const int sizes[][2] = {{1200, 900}, {400, 600},  {300, 600},
+                          {600, 1800}, {4000, 300}, {300, 300}};
+  for (const auto &[width, height] : sizes) {
+    const PictureLayout at = lay_out(width, height, 0, words);
+    const double letter = at.font_size;
+    EXPECT_GE(at.right - at.left, 0.5 * width) << width << 'x' << height;
+    EXPECT_GE(at.top - at.bottom, 0.5 * height) << width << 'x' << height;
+    EXPECT_GT(at.bar_left, at.right);
+    EXPECT_LE(at.bar_left + size_of_text(words.title, at.font_size).width, width);
+    EXPECT_LE(at.bar_left + at.bar_width + at.label_gap + at.labels_width, width);
+    EXPECT_LE(at.title_y + size_of_text(words.title, at.font_size).height, height);
+    EXPECT_GT(at.title_y, at.bar_bottom + at.bar_height + 0.5 * letter);  // half the last label
+    EXPECT_GE(at.bar_height, 7.0 * letter);
+    EXPECT_LE(at.left + size_of_text(words.caption, at.font_size).width, width);
+    EXPECT_GE(at.scale_y, at.caption_y + letter);
+    EXPECT_GE(at.scale_label_y, at.scale_y + at.scale_thickness);
+    EXPECT_GE(at.bottom, at.scale_label_y + letter);
+  }
+  EXPECT_EQ(lay_out(1200, 900, 0, words).font_size, 900 / 45);
+}
+
+// Words shorter than the longest caption of a film leave the letters as they are.
+TEST(PictureLayout, PicturesOfAFilmHaveLettersOfOneSize)
+{
+  PictureWords other = words;
+  other.caption = "λ = 30,  7 rods,  step 5";
+  for (const int width : {300, 400, 1200})
+    EXPECT_EQ(lay_out(width, 600, 0, other).font_size, lay_out(width, 600, 0, words).font_size);
+}
+
+TEST(PictureLayout, WhatDoesNotFitIsRefused)
+{
+  const auto refusal = [](int width, int height, int font_size, const PictureWords &w) {
+    try {
+      lay_out(width, height, font_size, w);
+    } catch (const InputError &error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(1200, 900, 32, words), "");
+  const std::string too_large = refusal(1200, 900, 400, words);
+  EXPECT_EQ(too_large.find("--font-size: must be at most "), 0u) << too_large;
+  const int most = std::stoi(too_large.substr(29));
+  EXPECT_EQ(lay_out(1200, 900, most, words).font_size, most);
+  EXPECT_NE(refusal(1200, 900, most + 1, words), "");
+  PictureWords wide = words;
+  wide.title = std::string(60, 'm');
+  EXPECT_EQ(refusal(300, 300, 0, wide).find("--size: letters"), 0u);
+}
+
+// A complaint of VTK's becomes a sentence, and is caught only while asked for.
+TEST(DrawingErrors, AreSaid)
+{
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  {
+    const DrawingErrors errors;
+    EXPECT_NO_THROW(errors.expect_none("no picture"));
+    vtkWarningWithObjectMacro(mapper, "only a warning");
+    EXPECT_NO_THROW(errors.expect_none("no picture"));
+    vtkErrorWithObjectMacro(mapper, "the texture is too large");
+    try {
+      errors.expect_none("no picture");
+      ADD_FAILURE() << "not said";
+    } catch (const InputError &error) {
+      const std::string what = error.what();
+      EXPECT_EQ(what.find("no picture (VTK: vtk"), 0u) << what;
+      EXPECT_NE(what.find("the texture is too large)"), std::string::npos) << what;
+      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    }
+  }
+  EXPECT_STRNE(vtkOutputWindow::GetInstance()->GetClassName(), "vtkStringOutputWindow");
 }
 
 // The ends of viridis as published: #440154 and #fde725.

@@ -238,6 +238,8 @@ TEST_F(Programs, SymbolsLieWhereTheyShould)
   }
   ASSERT_EQ(corners, 40);
   EXPECT_NEAR(x / corners, 317.5, 0.1);
+  EXPECT_NE(out_.find("10     1     0.3000        -                -\n"), std::string::npos)
+      << out_;
   EXPECT_NEAR(y / corners, 900 - (95 + 780 * 0.3 / 0.8), 0.1);
   EXPECT_NEAR(least_x, 317.5 - 6.5, 0.1);
 }
@@ -642,6 +644,30 @@ TEST_F(Programs, OvitoFile)
   }
 }
 
+// The cell is that of the dump, with its periodic directions; columns that say the centre in other
+// words are not repeated, and a velocity of one component is no velocity.
+TEST_F(Programs, OvitoCell)
+{
+  const std::string rows =
+      "ITEM: ATOMS id xsu ysu zsu vx shapex shapez quat1 quat2 quat3 quat4\n"
+      "1 0.25 0.5 0.5 7 0.01 0.1 1 0 0 0\n";
+  const auto dump = [&](const std::string &box) {
+    return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS " + box + rows;
+  };
+  write("box.dump", dump("pp ff pp\n0 2\n-1 1\n0 4\n"));
+  ASSERT_EQ(run("rod_vtk box.dump --out o --geometry lines --ovito"), 0) << error_;
+  const std::string file = read("o.xyz");
+  for (const char *words : {"Lattice=\"2 0 0 0 2 0 0 0 4\"", "Origin=\"0 -1 0\"",
+                            "pbc=\"T F T\"", ":elevation_deg:R:1:vx:R:1\n", "\n1 1 0.5 0 2 "})
+    EXPECT_NE(file.find(words), std::string::npos) << words << " in " << file;
+  std::string tilted = dump("xy xz yz pp pp pp\n0 2 0.5\n-1 1 0\n0 4 0\n");
+  for (const std::string scaled : {"xsu", "ysu", "zsu"})
+    tilted.replace(tilted.find(scaled), 3, scaled.substr(0, 1));
+  write("tilted.dump", tilted);
+  EXPECT_EQ(run("rod_vtk tilted.dump --out t --geometry lines"), 0) << error_;
+  expect_refusal("rod_vtk tilted.dump --out u --ovito", "tilted.dump: step 0: the box is tilted");
+}
+
 TEST_F(Programs, WrongOptions)
 {
   expect_refusal("rod_packing", "DUMP is required");
@@ -691,7 +717,12 @@ TEST_F(Programs, WrongOptions)
   expect_refusal("rod_vtk bed.dump --geometry cubes", "--geometry");
   expect_refusal("rod_vtk bed.dump --vessel-radius 1", "must be given together");
   expect_refusal("rod_render bed.dump", "--out is required");
+  for (const char *name : {"a.jpg", "a", ".png", "png"})
+    expect_refusal(std::string("rod_render bed.dump --out ") + name,
+                   fmt::format("--out: must end in .png (got '{}')", name));
   expect_refusal("rod_render bed.dump --out a.png --size big", "--size: must be WIDTHxHEIGHT");
+  expect_refusal("rod_render bed.dump --out a.png --size 4001x300",
+                 "each from 200 to 4000 (got '4001x300')");
   expect_refusal("rod_render bed.dump --out a.png --colour taste", "column 'taste' is missing");
   expect_refusal("rod_render bed.dump --out a.png --background blurple", "--background");
   expect_refusal("rod_render bed.dump --out a.png --frame all",
@@ -748,8 +779,47 @@ TEST_F(Programs, RodsOutsideTheVesselAreCounted)
                                {2, 1, {{{0.5, 0, 0.1}, {1, 0, 0}, 0.09}, 0.01}},
                                {3, 1, {{{0, 0, -0.1}, {1, 0, 0}, 0.09}, 0.01}}},
                               0));
-  expect_refusal("rod_packing out.dump --vessel-radius 0.2",
-                 "2 of 3 rod centres are outside the vessel");
+  for (const char *tool : {"rod_packing out.dump", "rod_render out.dump --out a.png"})
+    expect_refusal(std::string(tool) + " --vessel-radius 0.2",
+                   "2 of 3 rod centres are outside the vessel");
+  // Rods above what is shown are left out, wherever they are; the third is below the floor.
+  expect_refusal("rod_render out.dump --out a.png --vessel-radius 0.2 --top 0.05",
+                 "1 of 1 rod centres are outside the vessel");
+}
+
+// "--font-size" of what does not fit, the number it may be, and that number.
+TEST_F(Programs, LettersThatDoNotFitAreRefused)
+{
+  if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
+  expect_refusal("rod_render bed.dump --out a.png --size 300x300 --font-size 400",
+                 "--font-size: must be at most ");
+  expect_refusal("rod_render bed.dump --out a.png --size 200x200 --no-colour-bar --font-size 60",
+                 "in a picture of 200x200");
+}
+
+// A box of 2 x 2 x 12 m, periodic in x and z, with one rod of 0.2 m about its middle: the picture
+// is aimed at the box, and changes with its height, but not with its depth, where it does not end.
+TEST_F(Programs, PeriodicBoxIsDrawn)
+{
+  if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
+  std::string text = dump_text({{1, 1, {{{0, 0, 5}, {1, 0, 0}, 0.09}, 0.01}}}, 0);
+  write("free.dump", text);
+  text.replace(text.find("ff ff ff"), 8, "pp ff pp");
+  write("box.dump", text);
+  const auto picture = [&](const std::string &dump) {
+    EXPECT_EQ(run("rod_render " + dump + " --out a.png --size 200x300"), 0) << error_;
+    return read("a.png");
+  };
+  const std::string box = picture("box.dump");
+  EXPECT_NE(box, picture("free.dump"));
+  const auto with_box = [&](const std::string &bounds) {
+    const auto at = text.find("BOX BOUNDS");
+    return text.replace(at, text.find("ITEM: ATOMS") - at, "BOX BOUNDS pp ff pp\n" + bounds);
+  };
+  write("deeper.dump", with_box("-1 1\n-9 9\n-1 11\n"));
+  EXPECT_EQ(box, picture("deeper.dump"));
+  write("higher.dump", with_box("-1 1\n-1 1\n-1 12\n"));
+  EXPECT_NE(box, picture("higher.dump"));
 }
 
 // Programs named ffmpeg that write down what they are called with: the film is asked for with the
@@ -778,9 +848,9 @@ TEST_F(Programs, FilmIsMadeByFfmpeg)
 }
 
 // --cut leaves the half behind the axis, --top what lies wholly below. Three rods: in front,
-// behind, and behind but too high. The caption's numbers are drawn, so that the pictures tell them apart:
-// the same picture is made from a dump that holds no more than the rod that is left and the one of
-// the same total.
+// behind, and behind but too high. The caption's numbers are drawn, so that the pictures tell them
+// apart: the same picture is made from a dump that holds no more than the rod that is left and the
+// one of the same total.
 TEST_F(Programs, PartsOfABedAreLeftOut)
 {
   if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
