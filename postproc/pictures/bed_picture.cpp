@@ -32,8 +32,8 @@
 namespace spherocylinder {
 namespace {
 
-// The picture is drawn this many times larger each way and averaged down, which smooths edges:
-// ambient occlusion does not go with the driver's own smoothing (multisampling).
+// The picture is drawn this many times larger each way, steps along edges are blurred (FXAA), and
+// it is averaged down: ambient occlusion does not go with the driver's own smoothing.
 constexpr int oversampling = 2;
 
 struct ViewFrame {
@@ -291,6 +291,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
+  renderer->UseFXAAOn();  // before letters and bars are drawn
   window->SetSize(oversampling * options.width, oversampling * options.height);
   window->AddRenderer(renderer);
   const double picture_width = aim_camera(renderer, frame, extent, layout, options);
