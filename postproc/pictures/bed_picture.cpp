@@ -130,12 +130,14 @@ void add_rods(vtkRenderer *renderer, const std::vector<Rod> &rods, const RodQuan
   actor->GetProperty()->SetSpecularPower(40.0);
 }
 
-void add_line(vtkRenderer *renderer, vtkPolyData *line, const Ink &ink, double width)
+// As thick as the strokes of small letters, at least a pixel and a little more.
+void add_line(vtkRenderer *renderer, vtkPolyData *line, const Ink &ink)
 {
+  const double width = std::max(1.2 * oversampling, ink.font_size / 16.0);
   const auto actor = add_surface(renderer, line);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetColor(ink.red, ink.green, ink.blue);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(oversampling * width));
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
 }
 
 void add_box(vtkRenderer *renderer, const Box &box, const Ink &ink)
@@ -143,7 +145,7 @@ void add_box(vtkRenderer *renderer, const Box &box, const Ink &ink)
   vtkNew<vtkOutlineSource> edges;
   edges->SetBounds(box[0][0], box[0][1], box[1][0], box[1][1], box[2][0], box[2][1]);
   edges->Update();
-  add_line(renderer, edges->GetOutput(), ink, 1.2);
+  add_line(renderer, edges->GetOutput(), ink);
 }
 
 // The half of the wall behind the rods, the floor, the two rings (the upper one dashed if the
@@ -165,9 +167,8 @@ void add_vessel(vtkRenderer *renderer, const UprightCylinder &vessel, bool goes_
     actor->GetProperty()->SetOpacity(opacity);
   }
   const double top = vessel.z_high;
-  add_line(renderer, vessel_ring(vessel, vessel.z_low), ink, 1.2);
-  add_line(renderer, goes_on ? dashed_vessel_ring(vessel, top) : vessel_ring(vessel, top), ink,
-           1.2);
+  add_line(renderer, vessel_ring(vessel, vessel.z_low), ink);
+  add_line(renderer, goes_on ? dashed_vessel_ring(vessel, top) : vessel_ring(vessel, top), ink);
   if (from_above) return;
   for (const double side : {-vessel.radius, vessel.radius}) {
     const Vec3 foot = Vec3{vessel.x, vessel.y, 0.0} + side * frame.right;
@@ -175,7 +176,7 @@ void add_vessel(vtkRenderer *renderer, const UprightCylinder &vessel, bool goes_
     upright->SetPoint1(foot.x, foot.y, vessel.z_low);
     upright->SetPoint2(foot.x, foot.y, vessel.z_high);
     upright->Update();
-    add_line(renderer, upright->GetOutput(), ink, 1.2);
+    add_line(renderer, upright->GetOutput(), ink);
   }
 }
 
