@@ -2,6 +2,7 @@
 #include "analysis/bed_contacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -10,6 +11,10 @@
 
 namespace spherocylinder {
 namespace {
+
+// Pairs in doubt are looked for up to this gap, in diameters of the thickest rod, beyond the one
+// asked for: where the digits leave more open, as of a rod far away, they tell nothing at all.
+constexpr double most_doubt = 0.1;
 
 ContactNumbers contact_numbers(const std::vector<std::uint32_t> &of_rods)
 {
@@ -84,11 +89,13 @@ BedContacts measure_contacts(const Bed &bed, const std::optional<Vessel> &vessel
   found.step = bed.frame.step;
   found.rods = rods.size();
   const double largest_gap = gap * largest_diameter(rods);
-  found.doubt = gap_rounding(bed.frame, rods);
+  const std::vector<double> roundings = place_roundings(bed.frame, rods);
+  const double doubt = std::min(2.0 * *std::max_element(roundings.begin(), roundings.end()),
+                                most_doubt * largest_diameter(rods));
   std::vector<ClosePair> &pairs = found.pairs;
-  pairs = close_pairs(rods, periodicity_of(bed.frame), largest_gap + found.doubt);
+  pairs = close_pairs(rods, periodicity_of(bed.frame), largest_gap + doubt, largest_gap);
   found.doubtful_pairs = std::count_if(pairs.begin(), pairs.end(), [&](const ClosePair &pair) {
-    return pair.gap > largest_gap - found.doubt;
+    return std::abs(pair.gap - largest_gap) < roundings[pair.i] + roundings[pair.j];
   });
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
                              [&](const ClosePair &pair) { return !(pair.gap < largest_gap); }),

@@ -34,8 +34,7 @@ struct BedContacts {
   std::int64_t step;
   std::size_t rods;
   std::vector<ClosePair> pairs;
-  double doubt;                // error of a gap that the digits of the dump allow (m)
-  std::size_t doubtful_pairs;  // whose gap is nearer than that to the one asked for
+  std::size_t doubtful_pairs;  // of which the dump's digits do not tell, see place_roundings
   std::vector<WallContact> walls;
   ContactNumbers between_rods, with_walls;
   MeanWithError without_contact;  // part of the rods
@@ -52,8 +51,8 @@ struct BedContacts {
   MeanWithError in_chains;   // part of the rods
 };
 
-// Rods touch where the gap of their surfaces is below `gap` diameters of the thickest rod. Without a
-// vessel no walls are looked for; without forces nothing is said of them. For `strong` see
+// Rods touch where the gap of their surfaces is below `gap` diameters of the thickest rod. Without
+// a vessel no walls are looked for; without forces nothing is said of them. For `strong` see
 // force_chains. Throws InputError if centres of rods lie outside the vessel.
 BedContacts measure_contacts(const Bed &bed, const std::optional<Vessel> &vessel, double gap,
                              std::optional<std::vector<ContactForce>> pair_forces,

@@ -108,6 +108,7 @@ MeasuredFraction measured_fraction(const Bed &bed, const OrientationOptions &opt
                                    double random_contact)
 {
   const UprightCylinder whole = vessel_up_to(*options.vessel, bed_height(bed.rods).highest_centre);
+  need_height(bed, whole);
   const double inner = solid_fraction(bed.rods, inner_half(whole), packing_tolerance).fraction;
   return {total_volume(bed.rods) / volume(whole), inner,
           inner / random_contact * options.half_contacts};
@@ -251,7 +252,8 @@ Fields<BedOrientation> orientation_fields()
   using M = MeasuredFraction;
   fields.add_mean("vf_whole", of_measured([](const M &m) { return m.whole; }));
   fields.add_mean("vf_inner", of_measured([](const M &m) { return m.inner; }));
-  fields.add_mean("half_contacts_of_vf_inner", of_measured([](const M &m) { return m.half_contacts; }));
+  fields.add_mean("half_contacts_of_vf_inner",
+                  of_measured([](const M &m) { return m.half_contacts; }));
   fields.add("chi2_isotropic", mean, [](const B &b) { return b.chi_squared; });
   fields.add("chi2_degrees_of_freedom", same, [](const B &b) { return b.histogram.size() - 1; });
   return fields;

@@ -63,8 +63,8 @@ struct BedOrientation {
 };
 
 // Without a width of the bins by distance takes a quarter of a rod, and keeps it in the options for
-// the beds that follow. Throws InputError for a bed without a rod longer than a sphere, rods outside
-// the vessel, or bins that are too many.
+// the beds that follow. Throws InputError for a bed without a rod longer than a sphere, rods
+// outside the vessel, or bins that are too many.
 BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options);
 
 Fields<BedOrientation> orientation_fields();

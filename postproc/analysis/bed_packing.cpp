@@ -78,10 +78,7 @@ class Container {
       whole_.z_low = upright ? box[2][0] : options.floor;
       whole_.z_high = upright ? box[2][1] : height.highest_centre;
     }
-    if (!(whole_.z_high > whole_.z_low))
-      throw InputError(
-          fmt::format("{}: step {}: the highest rod centre is at {}, wanted above the floor, {}",
-                      bed.frame.path, bed.frame.step, whole_.z_high, whole_.z_low));
+    need_height(bed, whole_);
   }
 
   bool has_wall() const { return sides_area_ == 0.0; }
@@ -331,7 +328,8 @@ Fields<ProfileRow> profile_fields()
   fields.add("region_m3", OverFiles::mean, [](const R &r) { return r.bin.region; });
   fields.add("solid_m3", OverFiles::mean, [](const R &r) { return r.bin.solid; });
   fields.add_mean("vf", [](const R &r) { return MeanWithError{r.bin.fraction(), none}; });
-  fields.add("vf_integration_error", OverFiles::mean, [](const R &r) { return r.bin.error / r.bin.region; });
+  fields.add("vf_integration_error", OverFiles::mean,
+             [](const R &r) { return r.bin.error / r.bin.region; });
   return fields;
 }
 

@@ -35,13 +35,23 @@ void need_different(const std::vector<std::string> &dumps)
     }
 }
 
-double mean_aspect_ratio(const std::vector<Rod> &rods)
-{
-  return mean_of(rods, [](const Rod &rod) { return rod.capsule.aspect_ratio(); }).mean;
-}
+// Means are over beds of the same rods: their mean diameter and aspect ratio, to a thousandth.
+struct KindOfRods {
+  explicit KindOfRods(const std::vector<Rod> &rods)
+      : diameter(mean_of(rods, [](const Rod &rod) { return 2.0 * rod.capsule.radius; }).mean),
+        aspect_ratio(mean_of(rods, [](const Rod &rod) { return rod.capsule.aspect_ratio(); }).mean)
+  {
+  }
 
-// Means are over beds of the same rods. Wider than the rounding of a dump.
-constexpr double same_aspect_ratio = 1e-3;
+  bool is_like(const KindOfRods &other) const
+  {
+    constexpr double rounding = 1e-3;
+    return std::abs(diameter - other.diameter) <= rounding * diameter &&
+           std::abs(aspect_ratio - other.aspect_ratio) <= rounding * aspect_ratio;
+  }
+
+  double diameter, aspect_ratio;
+};
 
 }  // namespace
 
@@ -53,7 +63,7 @@ void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)
     throw InputError(fmt::format("--frame: must be first, last or a step for {} files (got 'all')",
                                  options.dumps.size()));
   need_different(options.dumps);
-  double first_ratio = 0.0;
+  std::optional<KindOfRods> first;
   for (std::size_t file = 0; file < options.dumps.size(); ++file) {
     bool any = false;
     for_each_frame(options.dumps[file], choice, [&](const DumpFrame &frame) {
@@ -63,13 +73,16 @@ void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)
         throw InputError(
             fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
       any = true;
-      const double ratio = options.several() ? mean_aspect_ratio(bed.rods) : 0.0;
-      if (file == 0) first_ratio = ratio;
-      if (std::abs(ratio - first_ratio) > same_aspect_ratio * first_ratio)
-        throw InputError(fmt::format(
-            "{}: its rods have a mean aspect ratio of {:.4g}, those of {} {:.4g}: wanted beds of "
-            "the same rods",
-            frame.path, ratio, options.dumps[0], first_ratio));
+      if (options.several()) {
+        const KindOfRods kind(bed.rods);
+        if (!first) first = kind;
+        if (!kind.is_like(*first))
+          throw InputError(fmt::format(
+              "{}: its rods are {:.4g} m thick, aspect ratio {:.4g}, those of {} {:.4g} m, {:.4g}: "
+              "wanted beds of the same rods",
+              frame.path, kind.diameter, kind.aspect_ratio, options.dumps[0], first->diameter,
+              first->aspect_ratio));
+      }
       work(bed);
     });
     if (!any)
@@ -105,6 +118,14 @@ void add_vessel_options(CLI::App &app, VesselOptions &options)
   app.add_option("--floor", options.floor,
                  "height Z of the floor (m), default 0 with --vessel-radius, else there is none")
       ->check(finite_number());
+}
+
+void need_height(const Bed &bed, const UprightCylinder &whole)
+{
+  if (!(whole.z_high > whole.z_low))
+    throw InputError(
+        fmt::format("{}: step {}: the highest rod centre is at {}, wanted above the floor, {}",
+                    bed.frame.path, bed.frame.step, whole.z_high, whole.z_low));
 }
 
 void need_rods_inside(const Bed &bed, const Vessel &vessel)

@@ -32,7 +32,7 @@ struct Bed {
 
 // Calls `work` for each chosen frame of each dump; leaves out frames without rods if all are
 // chosen. Throws InputError if there is nothing to work on, for all frames of several files, for a
-// file given twice, and for files whose rods differ in their mean aspect ratio.
+// file given twice, and for files whose rods differ in mean diameter or aspect ratio.
 void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)> &work);
 
 struct VesselOptions {
@@ -49,6 +49,9 @@ struct VesselOptions {
 
 // Adds --vessel-radius, --centre and --floor.
 void add_vessel_options(CLI::App &app, VesselOptions &options);
+
+// Throws InputError unless the highest centre lies above the bottom of the vessel or box.
+void need_height(const Bed &bed, const UprightCylinder &whole);
 
 // Throws InputError if centres of rods lie outside.
 void need_rods_inside(const Bed &bed, const Vessel &vessel);

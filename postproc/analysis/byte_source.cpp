@@ -89,6 +89,9 @@ std::size_t ByteSource::inflate_some(char *bytes, std::size_t most)
       break;
     }
     if (!in_member_) {
+      // Zeros that fill up a block of a tape are skipped, as gzip does.
+      while (begin_ < end_ && input_[begin_] == 0) ++begin_;
+      if (begin_ == end_) continue;
       if (input_[begin_] != 0x1f) throw ReadFailure{"other bytes follow the compressed data"};
       inflateReset(stream_.get());
       in_member_ = true;

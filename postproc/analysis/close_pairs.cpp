@@ -56,10 +56,12 @@ bool meet(const Bounds &a, const Bounds &b)
 // The rods, inside the box where it is periodic, in blocks of neighbours.
 class BlockSearch {
  public:
-  BlockSearch(const std::vector<Rod> &rods, const Periodicity &box, double largest_gap, double room)
+  BlockSearch(const std::vector<Rod> &rods, const Periodicity &box, double largest_gap,
+              double contact_gap, double room)
       : rods_(rods),
         box_(box),
         largest_gap_(largest_gap),
+        contact_gap_(contact_gap),
         searched_gap_(std::max(0.0, largest_gap) + room)
   {
     placed_.reserve(rods.size());
@@ -122,9 +124,9 @@ class BlockSearch {
     constexpr double furthest = 1e9;
     const double sides = std::floor(component(rod.capsule.segment.centre, d) / box_.side[d]);
     if (!(std::abs(sides) < furthest))
-      throw InputError(
-          fmt::format("{}rod {} is {:g} sides of the periodic box away in {}, wanted less than {:g}",
-                      box_.where, rod.id, sides, "xyz"[d], furthest));
+      throw InputError(fmt::format(
+          "{}rod {} is {:g} sides of the periodic box away in {}, wanted less than {:g}",
+          box_.where, rod.id, sides, "xyz"[d], furthest));
     return static_cast<int>(sides);
   }
 
@@ -224,7 +226,7 @@ class BlockSearch {
       const int count = static_cast<int>(std::min<std::size_t>(kBatch, candidates.size() - start));
       for (int k = 0; k < count; ++k) {
         const auto &[i, j, image] = of_batch[k];
-        const double reach = rods_[i].capsule.radius + rods_[j].capsule.radius + largest_gap_;
+        const double reach = rods_[i].capsule.radius + rods_[j].capsule.radius + contact_gap_;
         batch.set(k, rods_[i].capsule.segment, image, reach);
       }
       closest_points(batch);
@@ -249,7 +251,7 @@ class BlockSearch {
 
   const std::vector<Rod> &rods_;
   const Periodicity &box_;
-  double largest_gap_, searched_gap_;  // m
+  double largest_gap_, contact_gap_, searched_gap_;  // m
   std::vector<PlacedRod> placed_;      // block after block
   std::vector<Block> blocks_;
 };
@@ -263,7 +265,8 @@ Periodicity periodicity_of(const DumpFrame &frame)
   for (int d = 0; d < 3; ++d) {
     if (!frame.periodic[d]) continue;
     if (frame.box_is_tilted)
-      throw InputError(fmt::format("{}the periodic box is tilted, wanted an upright one", box.where));
+      throw InputError(
+          fmt::format("{}the periodic box is tilted, wanted an upright one", box.where));
     box.side[d] = frame.box[d][1] - frame.box[d][0];
     if (!(box.side[d] > 0.0))
       throw InputError(fmt::format("{}the periodic box is {} m wide in {}, wanted > 0", box.where,
@@ -273,7 +276,7 @@ Periodicity periodicity_of(const DumpFrame &frame)
 }
 
 std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodicity &box,
-                                   double largest_gap)
+                                   double largest_gap, std::optional<double> contact_gap)
 {
   if (rods.empty()) return {};
   if (rods.size() > UINT32_MAX) throw InputError("more than 2^32 rods, wanted fewer");
@@ -291,7 +294,8 @@ std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodici
                       "for these rods",
                       box.where, box.side[d], "xyz"[d], least[d]));
 
-  const BlockSearch search(rods, box, largest_gap, slack * largest_radius);
+  const BlockSearch search(rods, box, largest_gap, contact_gap.value_or(largest_gap),
+                           slack * largest_radius);
   std::vector<std::vector<ClosePair>> found(search.blocks());
   Progress progress("finding contacts");
   std::mutex screen;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,7 @@ struct ClosePair {
 
 // s and t are the closest points, of nearly parallel rods those of spread_contact (core), which
 // puts the contact of rods side by side into the middle of their common length; it is asked with
-// rods thicker by half of `largest_gap`.
+// rods thicker by half of `contact_gap`, which is `largest_gap` unless given.
 //
 // All pairs with a gap below `largest_gap` (m), each once, in an order that depends on the rods
 // only. A rod and several images of another are as many pairs.
@@ -43,6 +44,7 @@ struct ClosePair {
 // Throws InputError if a periodic side is shorter than a rod and the gap are in that direction: the
 // rod would meet its own image.
 std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodicity &box,
-                                   double largest_gap);
+                                   double largest_gap,
+                                   std::optional<double> contact_gap = std::nullopt);
 
 }  // namespace spherocylinder

@@ -7,9 +7,6 @@
 #include "analysis/numbers.h"
 
 namespace spherocylinder {
-namespace {
-
-}  // namespace
 
 std::vector<WallContact> wall_contacts(const std::vector<Rod> &rods, const Vessel &vessel,
                                        double largest_gap)

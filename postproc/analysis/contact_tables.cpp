@@ -185,7 +185,7 @@ Fields<ChainRow> chain_fields()
   fields.add("rods_high", same, [](const R &r) { return r.rods_high; });
   fields.add_mean("chains", [](const R &r) {
     const double count = static_cast<double>(r.chains);
-    return MeanWithError{count, std::sqrt(count)};
+    return MeanWithError{count, std::sqrt(count + 1.0)};  // none is not certain either
   });
   return fields;
 }

@@ -16,6 +16,7 @@ CsvFile::CsvFile(const std::string &path, const std::vector<std::string> &names)
   if (path.empty()) return;
   output_.emplace(path);
   file_.open(output_->working_path());
+  if (!file_) throw InputError(fmt::format("{}: cannot be opened for writing", path));
   file_ << fmt::format("{}\n", fmt::join(names, ","));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One time step of a LIGGGHTS `dump custom` or `dump local` text file, as numbers with named columns.
+// One time step of a LIGGGHTS `dump custom` or `dump local` text file, as numbers with named
+// columns.
 #pragma once
 
 #include <array>

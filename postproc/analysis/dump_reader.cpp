@@ -110,8 +110,8 @@ bool DumpReader::next(DumpFrame &frame)
       if (!time || !std::isfinite(*time))
         fail(fmt::format("the time is {}, wanted a finite number", shown(line_)));
       frame.time = time;
-    } else if (std::string_view rest = line_.substr(0, rows_line.size() + 1);
-               rest == rows_line || rest == std::string(rows_line) + " ") {
+    } else if (std::string_view head = line_.substr(0, rows_line.size() + 1);
+               head == rows_line || head == std::string(rows_line) + " ") {
       break;
     } else if (starts_with(line_, "ITEM: UNITS") || starts_with(line_, "ITEM: LABEL")) {
       need_line("a word");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reads LIGGGHTS `dump custom` and `dump local` text files, plain or gzip, frame by frame, so that a
-// file of any size needs memory for one frame only.
+// Reads LIGGGHTS `dump custom` and `dump local` text files, plain or gzip, frame by frame, so that
+// a file of any size needs memory for one frame only.
 #pragma once
 
 #include <string>

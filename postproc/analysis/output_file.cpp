@@ -2,12 +2,17 @@
 #include "analysis/output_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "analysis/input_error.h"
 
@@ -19,14 +24,34 @@ namespace fs = std::filesystem;
 // Of the whole run, whose files one thread opens: all that were read, and those being written.
 std::vector<fs::path> inputs, outputs;
 
-// There or not; no pipe, and none of the names that the system gives to open files.
-bool is_ordinary(const fs::path &path)
+// The names that the system gives to files which are open already.
+bool is_open_file(const fs::path &path)
 {
   std::error_code error;
   const std::string name = fs::absolute(path, error).lexically_normal().string();
-  if (name.rfind("/dev/", 0) == 0 || name.rfind("/proc/", 0) == 0) return false;
+  if (name == "/dev/stdout" || name == "/dev/stderr" || name.rfind("/dev/fd/", 0) == 0) return true;
+  return name.rfind("/proc/", 0) == 0 && name.find("/fd/") != std::string::npos;
+}
+
+// There or not; no pipe, device or folder.
+bool is_ordinary(const fs::path &path)
+{
+  std::error_code error;
+  if (is_open_file(path)) return false;
   const fs::file_status status = fs::status(path, error);
   return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+// What a link leads to, there or not; other paths as they are.
+fs::path end_of_links(fs::path path)
+{
+  constexpr int most_links = 40;
+  std::error_code error;
+  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    const fs::path next = fs::read_symlink(path, error);
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
 }
 
 // The same file, there or not, under whatever name.
@@ -44,11 +69,22 @@ bool is_among(const std::vector<fs::path> &files, const fs::path &path)
                      [&](const fs::path &file) { return are_one(file, path); });
 }
 
-std::string part_of_name(const fs::path &path)
+// Creates a file of a name of its own beside `target`, with its ending and permissions.
+std::string new_file_beside(const fs::path &target, const std::string &path)
 {
-  fs::path part = path;
-  part.replace_filename(path.stem().string() + ".part" + path.extension().string());
-  return part;
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const std::string ending = target.extension().string();
+  std::string name = (folder / ("." + target.stem().string() + ".XXXXXX" + ending)).string();
+  const int file = mkstemps(name.data(), static_cast<int>(ending.size()));
+  if (file < 0)
+    throw InputError(fmt::format("{}: cannot be opened for writing: in its folder, {}", path,
+                                 std::strerror(errno)));
+  struct stat old;
+  const mode_t mask = umask(0);
+  umask(mask);
+  fchmod(file, stat(target.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask);
+  close(file);
+  return name;
 }
 
 }  // namespace
@@ -56,18 +92,24 @@ std::string part_of_name(const fs::path &path)
 OutputFile::OutputFile(const std::string &path)
     : path_(path), target_(path), working_path_(path)
 {
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    throw InputError(fmt::format("{}: is a folder, wanted a file to write", path));
   if (is_ordinary(path)) {
     if (is_among(inputs, path))
       throw InputError(
           fmt::format("{}: is read by this run, wanted another name for what it writes", path));
     if (is_among(outputs, path))
       throw InputError(fmt::format("{}: is named twice, wanted a file for each output", path));
-    if (fs::is_symlink(path)) target_ = fs::weakly_canonical(path);
-    working_path_ = part_of_name(target_);
+    target_ = end_of_links(path);
+    if (fs::is_symlink(fs::symlink_status(target_, error)))
+      throw InputError(
+          fmt::format("{}: cannot be opened for writing: links lead in a circle", path));
+    if (access(target_.c_str(), F_OK) == 0 && access(target_.c_str(), W_OK) != 0)
+      throw InputError(
+          fmt::format("{}: cannot be opened for writing: {}", path, std::strerror(errno)));
+    working_path_ = new_file_beside(target_, path);
   }
-  const bool there_and_closed = fs::exists(path) && !std::ofstream(path, std::ios::app);
-  if (there_and_closed || !std::ofstream(working_path_))
-    throw InputError(fmt::format("{}: cannot be opened for writing", path));
   outputs.emplace_back(path);
 }
 
@@ -95,11 +137,11 @@ void OutputFile::leave()
 
 void OutputFile::finish()
 {
-  leave();
-  if (working_path_ == path_) return;
+  if (!open_) return;
   std::error_code error;
-  fs::rename(working_path_, target_, error);
+  if (working_path_ != path_) fs::rename(working_path_, target_, error);
   if (error) throw InputError(fmt::format("{}: could not be written: {}", path_, error.message()));
+  leave();
 }
 
 void note_input(const std::string &path)

@@ -6,9 +6,10 @@
 
 namespace spherocylinder {
 
-// What is written goes to a file beside PATH (bed.part.csv for bed.csv) and takes PATH's place at the
-// end: until then, and after a failure, what was there before stays. A name that stands for no
-// ordinary file (/dev/stdout, a pipe) is written to directly.
+// What is written goes to a new file beside PATH (.bed.a1B2c3.csv for bed.csv) that takes PATH's
+// place at the end: until then, and after a failure, what was there before stays. Through a link
+// the file it leads to is written. A name that stands for no ordinary file (/dev/stdout, a pipe) is
+// written to directly.
 class OutputFile {
  public:
   // Throws InputError if nothing can be written there, if this run reads the same file, or if it

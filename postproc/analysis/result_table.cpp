@@ -39,7 +39,8 @@ double combined(OverFiles rule, const std::vector<double> &values,
 
 }  // namespace
 
-Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &files)
+Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &files,
+                   MissingRows missing)
 {
   std::size_t longest = 0;
   for (const Rows &rows : files) longest = std::max(longest, rows.size());
@@ -48,9 +49,13 @@ Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &
     std::vector<double> before;
     for (std::size_t column = 0; column < columns.size(); ++column) {
       std::vector<double> values;
-      for (const Rows &rows : files)
+      const bool is_zero =
+          missing == MissingRows::zero && columns[column].over_files != OverFiles::same;
+      for (const Rows &rows : files) {
+        if (row >= rows.size() && is_zero) values.push_back(0.0);
         if (row < rows.size() && !std::isnan(rows[row][column]))
           values.push_back(rows[row][column]);
+      }
       together[row].push_back(combined(columns[column].over_files, values, before));
       before = std::move(values);
     }
@@ -58,8 +63,12 @@ Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &
   return together;
 }
 
-RowTable::RowTable(std::string path, std::vector<Column> columns, bool several_files)
-    : path_(std::move(path)), columns_(std::move(columns)), several_files_(several_files)
+RowTable::RowTable(std::string path, std::vector<Column> columns, bool several_files,
+                   MissingRows missing)
+    : path_(std::move(path)),
+      columns_(std::move(columns)),
+      several_files_(several_files),
+      missing_(missing)
 {
 }
 
@@ -84,13 +93,13 @@ void RowTable::write(const Rows &rows)
 void RowTable::finish()
 {
   if (!csv_) return;
-  if (several_files_) write(combine_files(columns_, files_));
+  if (several_files_) write(combine_files(columns_, files_, missing_));
   csv_->close();
 }
 
 void RowTable::print_means() const
 {
-  const std::vector<double> row = combine_files(columns_, files_)[0];
+  const std::vector<double> row = combine_files(columns_, files_, missing_)[0];
   for (std::size_t i = 0; i + 1 < columns_.size(); ++i)
     if (columns_[i + 1].over_files == OverFiles::error && !std::isnan(row[i]))
       fmt::print("  {:<34} {:12.6g} -+ {:.2g}\n", columns_[i].name, row[i], row[i + 1]);

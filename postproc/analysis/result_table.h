@@ -44,8 +44,8 @@ class Fields {
     return *this;
   }
 
-  // A mean and its standard error; a suffix of the unit is said apart: mean_z, "_m" give the columns
-  // mean_z_m and mean_z_error_m.
+  // A mean and its standard error; a suffix of the unit is said apart: mean_z, "_m" give the
+  // columns mean_z_m and mean_z_error_m.
   template <class Mean>  // of an item: MeanWithError
   Fields &add_mean(const std::string &name, Mean mean, const std::string &unit = "")
   {
@@ -82,15 +82,22 @@ class Fields {
   std::vector<std::function<double(const Item &)>> numbers_;
 };
 
+// Rows that a file has fewer than another.
+enum class MissingRows {
+  left_out,  // the file says nothing of them
+  zero,      // its counts, and their means, are 0 there
+};
+
 // Rows of several files as one table: row by row, as many as the longest has. A standard error
 // needs two files with a value, else it is NaN.
-Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &files);
+Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &files,
+                   MissingRows missing = MissingRows::left_out);
 
 // The rows of a table on their way to a file.
 class RowTable {
  public:
   // An empty path writes nothing. With `several_files` each call of add is a file.
-  RowTable(std::string path, std::vector<Column> columns, bool several_files);
+  RowTable(std::string path, std::vector<Column> columns, bool several_files, MissingRows missing);
 
   // Throws InputError if the file cannot be written, with several files too.
   void add(const Rows &rows);
@@ -98,8 +105,8 @@ class RowTable {
   // Writes what several files give together.
   void finish();
 
-  // What several files give together: "  name   mean -+ error" for each column of the first row that
-  // has an error behind it.
+  // What several files give together: "  name   mean -+ error" for each column of the first row
+  // that has an error behind it.
   void print_means() const;
 
  private:
@@ -108,6 +115,7 @@ class RowTable {
   std::string path_;
   std::vector<Column> columns_;
   bool several_files_;
+  MissingRows missing_;
   std::vector<Rows> files_;
   std::optional<CsvFile> csv_;  // opened only once there is something to write
 };
@@ -116,8 +124,10 @@ class RowTable {
 template <class Item>
 class ResultTable {
  public:
-  ResultTable(std::string path, Fields<Item> fields, bool several_files)
-      : fields_(std::move(fields)), table_(std::move(path), fields_.columns(), several_files)
+  ResultTable(std::string path, Fields<Item> fields, bool several_files,
+              MissingRows missing = MissingRows::left_out)
+      : fields_(std::move(fields)),
+        table_(std::move(path), fields_.columns(), several_files, missing)
   {
   }
 

@@ -60,6 +60,16 @@ int significant_digits(double number)
 // What is larger is no rod; volumes and grids would overflow.
 constexpr double largest_size = 1e6;  // radius (m)
 constexpr double largest_aspect_ratio = 1e6;
+constexpr double largest_place = 1e9;  // m
+
+constexpr int least_digits = 6;  // LIGGGHTS's own
+
+// Half a unit in the last of so many digits of a number.
+double half_last_digit(int digits, double number)
+{
+  const double size = std::abs(number);
+  return size > 0.0 ? 0.5 * std::pow(10.0, std::floor(std::log10(size)) + 1.0 - digits) : 0.0;
+}
 
 class RodColumns {
  public:
@@ -76,20 +86,21 @@ class RodColumns {
   {
   }
 
-  double gap_rounding(double half_length) const
+  std::vector<double> place_roundings(const std::vector<Rod> &rods) const
   {
-    double largest = 0.0, scale = 0.0;
-    int digits = 6;  // LIGGGHTS's own, which leaves out zeros at the end
-    for (const Coordinate &c : centre_) {
-      digits = std::max(digits, digits_of(c.column));
-      largest = std::max(largest, largest_of(c.column));
-      scale = std::max(scale, c.scale);
+    int digits = least_digits, quaternion_digits = least_digits;
+    for (const Coordinate &c : centre_) digits = std::max(digits, digits_of(c.column));
+    for (const std::size_t column : quaternion_)
+      quaternion_digits = std::max(quaternion_digits, digits_of(column));
+    const double turn = 4.0 * half_last_digit(quaternion_digits, 0.5);
+    std::vector<double> roundings;
+    for (std::size_t row = 0; row < rods.size(); ++row) {
+      double place = 0.0;
+      for (const Coordinate &c : centre_)
+        place = std::max(place, c.scale * half_last_digit(digits, frame_.value(row, c.column)));
+      roundings.push_back(std::sqrt(3.0) * place + turn * rods[row].capsule.segment.half_length);
     }
-    for (const std::size_t column : quaternion_) digits = std::max(digits, digits_of(column));
-    const double last_digit = 0.5 * std::pow(10.0, -digits);  // of a number from 0.1 to 1
-    const double power =
-        largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) + 1.0) : 0.0;
-    return 2.0 * (std::sqrt(3.0) * scale * power * last_digit + 4.0 * last_digit * half_length);
+    return roundings;
   }
 
   Rod rod(std::size_t row) const
@@ -113,14 +124,6 @@ class RodColumns {
     return digits;
   }
 
-  double largest_of(std::size_t column) const
-  {
-    double largest = 0.0;
-    for (std::size_t row = 0; row < frame_.rows; ++row)
-      largest = std::max(largest, std::abs(frame_.value(row, column)));
-    return largest;
-  }
-
   int type(std::size_t row) const
   {
     constexpr double largest_type = 1e6;
@@ -134,10 +137,9 @@ class RodColumns {
   {
     const Coordinate &c = centre_[direction];
     const double x = c.offset + c.scale * frame_.value(row, c.column);
-    if (!std::isfinite(x))
-      fail(row, fmt::format("{} is {} in a box from {} to {}, wanted a finite place", "xyz"[direction],
-                            frame_.value(row, c.column), frame_.box[direction][0],
-                            frame_.box[direction][1]));
+    if (!(std::abs(x) < largest_place))
+      fail(row, fmt::format("{} is {:g} m, wanted less than {:g} m", "xyz"[direction], x,
+                            largest_place));
     return x;
   }
 
@@ -150,9 +152,10 @@ class RodColumns {
                             frame_.value(row, *shapey_), radius));
     const double half_total = frame_.value(row, shapez_);
     if (!(radius < largest_size && half_total < largest_aspect_ratio * radius))
-      fail(row, fmt::format("shapex is {} and shapez {}, wanted less than {:g} m and an aspect ratio "
-                            "below {:g}",
-                            radius, half_total, largest_size, largest_aspect_ratio));
+      fail(row,
+           fmt::format("shapex is {} and shapez {}, wanted less than {:g} m and an aspect ratio "
+                       "below {:g}",
+                       radius, half_total, largest_size, largest_aspect_ratio));
     if (half_total < radius - slack)
       fail(row, fmt::format("shapez is {}, wanted at least shapex, {}", half_total, radius));
     return half_total <= radius + slack ? 0.0 : half_total - radius;
@@ -202,11 +205,9 @@ double largest_diameter(const std::vector<Rod> &rods)
   return diameter;
 }
 
-double gap_rounding(const DumpFrame &frame, const std::vector<Rod> &rods)
+std::vector<double> place_roundings(const DumpFrame &frame, const std::vector<Rod> &rods)
 {
-  double half_length = 0.0;
-  for (const Rod &rod : rods) half_length = std::max(half_length, rod.capsule.segment.half_length);
-  return RodColumns(frame).gap_rounding(half_length);
+  return RodColumns(frame).place_roundings(rods);
 }
 
 double elevation(const Vec3 &axis)

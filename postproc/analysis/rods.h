@@ -34,17 +34,18 @@ std::vector<Rod> rods_of(const DumpFrame &frame);
 // Angle of the axis above the horizontal, 0 to pi/2 (rad).
 double elevation(const Vec3 &axis);
 
-double volume(const Capsule &capsule);  // m^3
+double volume(const Capsule &capsule);         // m^3
+double highest_point(const Capsule &capsule);  // z (m)
 
 double largest_diameter(const std::vector<Rod> &rods);  // m; 0 for none
 
-// How far the gap of two of the rods can be off because the dump's numbers are rounded (m): each by
-// half a unit in its last digit, with six digits (LIGGGHTS leaves out zeros at the end) or as many as
-// any place or quaternion has in the first thousand rows. With d_x the error of a coordinate and d_q
-// that of a quaternion's component, a centre is off by up to sqrt(3) d_x and an axis by an angle of
-// up to 4 d_q.
-double gap_rounding(const DumpFrame &frame, const std::vector<Rod> &rods);
-
-double highest_point(const Capsule &capsule);  // z (m)
+// How far each rod's surface can be off because the dump's places and quaternions are rounded (m),
+// where it has a contact: the gap of two rods is off by up to the sum of both. The numbers have six
+// digits (LIGGGHTS leaves out zeros at the end), or as many as any of the places, or of the
+// quaternions, has in the first thousand rows. A coordinate is off by half a unit in its last
+// digit, d_x, so that the centre is by up to sqrt(3) d_x; a quaternion's component by d_q, the axis
+// by an angle of up to 4 d_q. Radii and lengths, of which a dump holds few different ones, are left
+// out.
+std::vector<double> place_roundings(const DumpFrame &frame, const std::vector<Rod> &rods);
 
 }  // namespace spherocylinder

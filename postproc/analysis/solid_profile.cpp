@@ -111,8 +111,8 @@ struct PlacedChord {
   double reach, area, z, b, off_axis, a, over_a, over_z;
 };
 
-// Adds what each of `count` cylinders leaves of the chord, times its area, to the sums. No branches:
-// a cylinder that the line misses leaves an interval of length 0 or less.
+// Adds what each of `count` cylinders leaves of the chord, times its area, to the sums. No
+// branches: a cylinder that the line misses leaves an interval of length 0 or less.
 SPHEROCYLINDER_VECTOR void add_chord(const PlacedChord &c, const double *radius_squared,
                                      const double *z_low, const double *z_high, std::size_t count,
                                      double *sums)
@@ -122,8 +122,10 @@ SPHEROCYLINDER_VECTOR void add_chord(const PlacedChord &c, const double *radius_
   for (std::size_t k = 0; k < count; ++k) {
     const double root = std::sqrt(larger(c.off_axis + c.a * radius_squared[k], 0.0));
     const double to_floor = (z_low[k] - c.z) * c.over_z, to_top = (z_high[k] - c.z) * c.over_z;
-    const double low = larger(larger(-c.reach, (-c.b - root) * c.over_a), smaller(to_floor, to_top));
-    const double high = smaller(smaller(c.reach, (-c.b + root) * c.over_a), larger(to_floor, to_top));
+    const double low =
+        larger(larger(-c.reach, (-c.b - root) * c.over_a), smaller(to_floor, to_top));
+    const double high =
+        smaller(smaller(c.reach, (-c.b + root) * c.over_a), larger(to_floor, to_top));
     sums[k] += c.area * larger(high - low, 0.0);
   }
 }

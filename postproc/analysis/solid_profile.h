@@ -17,11 +17,11 @@ std::vector<double> volumes_below(const std::vector<Rod> &rods, const std::vecto
 //
 // Each rod is cut into chords parallel to its axis, Gauss-Legendre over the depth in the rod's
 // round section and evenly spaced round it, turned by another angle for every rod; what a cylinder
-// leaves of a chord is exact. The rules have 6, 15, 40 ... 11094 chords, until the error is less than half
-// the tolerance of the solid between this cylinder and either neighbour. The error is an estimate
-// and no bound: the larger of the sum of the rods' differences between two rules and twice the root
-// of the sum of their squares. Upright rods, and cylinders narrower than two rods, are left to
-// clipped_volume.
+// leaves of a chord is exact. The rules have 6, 15, 40 ... 11094 chords, until the error is less
+// than half the tolerance of the solid between this cylinder and either neighbour. The error is an
+// estimate and no bound: the larger of the sum of the rods' differences between two rules and twice
+// the root of the sum of their squares. Upright rods, and cylinders narrower than two rods, are
+// left to clipped_volume.
 std::vector<BoundedVolume> volumes_within(const std::vector<Rod> &rods,
                                           const std::vector<UprightCylinder> &cylinders,
                                           double tolerance);

@@ -14,6 +14,7 @@ namespace spherocylinder {
 
 OvitoFile::OvitoFile(const std::string &path) : output_(path), file_(output_.working_path())
 {
+  if (!file_) throw InputError(fmt::format("{}: cannot be opened for writing", path));
 }
 
 void OvitoFile::add(const DumpFrame &frame, const std::vector<Rod> &rods, double time)

@@ -108,9 +108,10 @@ void print_table(const BedContacts &b, double strong, bool with_walls)
            fmt::format("({} between rods)", b.pairs.size()));
   if (b.doubtful_pairs > 0)
     fmt::print(
-        "    doubtful             {:8}             pairs within {:.1e} m of touching, where the dump "
-        "has too few digits\n",
-        b.doubtful_pairs, b.doubt);
+        "    doubtful             {:8}             pairs so near to touching that the dump's "
+        "digits "
+        "do not tell\n",
+        b.doubtful_pairs);
   if (with_walls)
     measured("  with walls", b.with_walls.per_rod, fmt::format("({} at walls)", b.walls.size()));
   measured("rods without contact", b.without_contact, "of all rods");
@@ -137,12 +138,13 @@ class Tables {
       : several_(o.beds.several()),
         bins_(o.bins),
         summary_(o.csv, contact_summary_fields(), several_),
-        numbers_(path(o, "numbers"), number_fields(), several_),
+        numbers_(path(o, "numbers"), number_fields(), several_, MissingRows::zero),
         positions_(path(o, "positions"), position_fields(), several_),
         overlaps_(path(o, "overlaps"), over_mean_fields("overlap"), several_),
         forces_(o.local.empty() && o.wall_local.empty() ? "" : path(o, "forces"),
                 over_mean_fields("force"), several_),
-        chains_(o.local.empty() ? "" : path(o, "chains"), chain_fields(), several_),
+        chains_(o.local.empty() ? "" : path(o, "chains"), chain_fields(), several_,
+                MissingRows::zero),
         contacts_(o.contacts_csv, contact_fields(), false)
   {
     if (several_ && !o.contacts_csv.empty())
@@ -221,7 +223,8 @@ int main(int argc, char **argv)
       "rod_contacts");
   app.footer(
       "Example: rod_contacts bed.dump --vessel-radius 0.305 --csv contacts.csv --tables contacts\n"
-      "         rod_contacts heap.dump --local heap.pairs --local-keywords \"id force\" --strong 2\n"
+      "         rod_contacts heap.dump --local heap.pairs --local-keywords \"id force\" --strong "
+      "2\n"
       "         rod_contacts seed1.dump.gz seed2.dump.gz --vessel-radius 0.305 --csv means.csv");
   add_bed_options(app, options.beds);
   add_vessel_options(app, options.vessel);

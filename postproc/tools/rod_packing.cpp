@@ -68,7 +68,8 @@ void print_table(const BedPacking &p)
              p.overlap_volume, p.overlap_error, p.overlaps, p.overlap_volume / p.rods_volume);
   fmt::print("  overlap counts        {:>9}  {:>8}\n", "twice", "once");
   fmt::print("  {:<22} {:8.4f}  {:8.4f}   all rods over {:.4g} m^3, z {:.4g} to {:.4g} m\n",
-             "V_f whole", p.whole.fraction, p.whole.net_fraction, p.whole.volume, p.whole.bottom, p.whole.top);
+             "V_f whole", p.whole.fraction, p.whole.net_fraction, p.whole.volume, p.whole.bottom,
+             p.whole.top);
   print_region("V_f whole, clipped", p.clipped, p.whole.volume);
   print_region("V_f inner", p.inner, p.whole.volume);
   print_region("V_f bulk", p.bulk, p.whole.volume);
@@ -98,8 +99,8 @@ void run(Options &options)
     const BedPacking result = measure_packing(bed, packing);
     PackingProfiles profiles;
     if (!options.profiles.empty()) {
-      const double width = options.bin.value_or(2.0 * bed.rods[0].capsule.radius);
-      profiles = measure_profiles(bed, packing, width);
+      if (!options.bin) options.bin = 2.0 * bed.rods[0].capsule.radius;
+      profiles = measure_profiles(bed, packing, *options.bin);
     }
     if (several) fmt::print("{}: ", bed.frame.path);
     print_table(result);

@@ -37,9 +37,10 @@ Names names_of(const std::vector<std::string> &words)
 
 void write_all(const Figure &figure, const Options &options, char **argv)
 {
+  for (const std::string &path : options.out) open_figure(path);  // can it be done?
+  need_display(argv);  // starts the program again: nothing is printed, no file open before
   std::vector<OutputFile> files;
   for (const std::string &path : options.out) files.push_back(open_figure(path));
-  need_display(argv);  // starts the program again: nothing is printed before
   for (OutputFile &file : files) write_figure(file, figure);
 }
 

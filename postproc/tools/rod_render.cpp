@@ -251,8 +251,10 @@ void run(const Options &options, char **argv)
     if (vessel) set_vessel(picture, *vessel, rods, options);
     if (!vessel) picture.box = periodic_box(frame, rods);
     const std::string path = several ? numbered(options.out, ++pictures) : options.out;
+    OutputFile{path};  // can it be written?
+    need_display(
+        argv);  // may start the program again: what is wrong has been said, no file is open
     OutputFile output(path);
-    need_display(argv);  // last: whatever is wrong with the input is said before
     write_bed_picture(output.working_path(), part, colour, picture);
     output.finish();
     if (several) fmt::print("{}\n", path);

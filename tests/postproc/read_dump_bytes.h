@@ -63,12 +63,13 @@ inline std::string read_dump_bytes(const std::string &path)
       for (const double value : frame.values) promise(std::isfinite(value), "finite values");
       const std::vector<Rod> rods = rods_of(frame);
       for (const Rod &rod : rods) need_sound(rod);
-      promise(gap_rounding(frame, rods) >= 0.0, "a rounding");
+      for (const double rounding : place_roundings(frame, rods))
+        promise(rounding >= 0.0 && std::isfinite(rounding), "a rounding");
       double length = 0.0;
       for (const Rod &rod : rods) length += rod.capsule.aspect_ratio();
       if (length > 1e4) continue;  // takes too long here
-      for (const ClosePair &pair : close_pairs(rods, periodicity_of(frame), 0.0))
-        promise(pair.i < pair.j && pair.j < rods.size() && pair.gap < 0.0, "pairs of rods");
+      for (const ClosePair &pair : close_pairs(rods, periodicity_of(frame), 1e-3))
+        promise(pair.i < pair.j && pair.j < rods.size() && pair.gap < 1e-3, "pairs of rods");
     }
   });
 }

@@ -145,8 +145,8 @@ TEST(ClosePairs, OfMixedSizesAndOneFarAway)
   expect_same_pairs(rods, {}, 0.0, 100);
 }
 
-// More rods than one block of the search takes: pairs within a block, of two blocks, and of images of
-// either; a thick rod that many blocks reach, and one far away.
+// More rods than one block of the search takes: pairs within a block, of two blocks, and of images
+// of either; a thick rod that many blocks reach, and one far away.
 TEST(ClosePairs, AreThoseOfAllPairsInManyBlocks)
 {
   auto rods = ideal_gas(3500, 0.44, 0.03, 0.004, 19);

@@ -135,6 +135,7 @@ TEST_F(DumpReaderTest, GzipIsToldByItsBytesNotItsName)
   ASSERT_EQ(packed.substr(0, 2), "\x1f\x8b");
   EXPECT_EQ(rods(packed)[1].capsule.segment.centre.y, 0.2);
   EXPECT_EQ(rods(packed + packed).size(), 2u);  // two gzip files in a row are one
+  EXPECT_EQ(rods(packed + std::string(1000, '\0')).size(), 2u);  // a block filled up with zeros
   std::string damaged = packed + packed;
   damaged[packed.size()] = 'x';  // the second one is none any more
   expect_error(damaged, ":", "other bytes follow the compressed data");

@@ -150,7 +150,8 @@ TEST(OverlapVolume, OneWithinTheOther)
   expect_volume(thick, thin, volume(thin));
 }
 
-// All ways to meet: sides, ends on sides, ends, tips half on the tube; 2 % to 60 % of a radius deep.
+// All ways to meet: sides, ends on sides, ends, tips half on the tube; 2 % to 60 % of a radius
+// deep.
 TEST(OverlapVolume, RandomPairsAgainstLines)
 {
   std::mt19937 random(67867967);

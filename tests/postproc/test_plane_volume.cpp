@@ -24,9 +24,9 @@ Real disc_part(Real rho, Real b)
 }
 
 // Independent slow method in extended precision: slices at right angles to the rod's axis, discs
-// cut by the plane's line, added up along the axis. Pieces between the places where the integrand has a
-// kink or a root (the rims of the tube, the points where the plane enters or leaves it), each with
-// q = middle - half cos(theta), which takes roots away; midpoint rule in theta.
+// cut by the plane's line, added up along the axis. Pieces between the places where the integrand
+// has a kink or a root (the rims of the tube, the points where the plane enters or leaves it), each
+// with q = middle - half cos(theta), which takes roots away; midpoint rule in theta.
 Real volume_by_slices(const Capsule &rod, double height)
 {
   const Real r = rod.radius, h = rod.segment.half_length;

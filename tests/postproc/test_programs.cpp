@@ -343,7 +343,8 @@ TEST_F(Programs, PackingProfilesAddUp)
   const double all = row["rods_volume_m3"];
   EXPECT_NEAR(solid("p_height.csv"), all, 1e-8 * all);
   const double clipped = row["vf_whole_clipped"] * row["whole_volume_m3"];
-  const double error = row["vf_whole_clipped_integration_error"] * row["whole_volume_m3"] + 1e-4 * clipped;
+  const double error =
+      row["vf_whole_clipped_integration_error"] * row["whole_volume_m3"] + 1e-4 * clipped;
   EXPECT_NEAR(solid("p_radius.csv"), clipped, error);
   EXPECT_NEAR(solid("p_wall.csv"), clipped, error);
 }
@@ -440,8 +441,8 @@ TEST_F(Programs, MeansOfSeveralFiles)
                  "--frame: must be first, last or a step for 2 files (got 'all')");
 }
 
-// Nothing said of one bed becomes nothing, not zero; one value has no error; and means are over beds
-// of the same rods, each once.
+// Nothing said of one bed becomes nothing, not zero; one value has no error; and means are over
+// beds of the same rods, each once.
 TEST_F(Programs, MeansSayNoMoreThanIsKnown)
 {
   ASSERT_EQ(run("rod_contacts seed1.dump seed2.dump --csv c.csv"), 0) << error_;
@@ -451,7 +452,9 @@ TEST_F(Programs, MeansSayNoMoreThanIsKnown)
   EXPECT_TRUE(std::isnan(contacts["wall_forces"]));
 
   write("one.dump", dump_text({{1, 1, {{{0, 0, 0.1}, {1, 0, 0}, 0.09}, 0.01}}}, 0));
-  ASSERT_EQ(run("rod_orientation one.dump --floor 0 --wall-width 1 --summary-csv o.csv --wall-csv w.csv"), 0);
+  ASSERT_EQ(
+      run("rod_orientation one.dump --floor 0 --wall-width 1 --summary-csv o.csv --wall-csv w.csv"),
+      0);
   for (const char *file : {"o.csv", "w.csv"}) {
     auto row = csv_row(read(file));
     EXPECT_EQ(row["rods"], 1) << file;
@@ -460,8 +463,9 @@ TEST_F(Programs, MeansSayNoMoreThanIsKnown)
   }
   EXPECT_EQ(out_.find("nan"), std::string::npos) << out_;
   expect_refusal("rod_packing bed.dump ./bed.dump --vessel-radius 0.305", "is given twice");
-  expect_failure("rod_packing bed.dump one.dump --vessel-radius 0.305",
-                 "one.dump: its rods have a mean aspect ratio of 10, those of bed.dump 30");
+  expect_failure(
+      "rod_packing bed.dump one.dump --vessel-radius 0.305",
+      "one.dump: its rods are 0.02 m thick, aspect ratio 10, those of bed.dump 0.01 m, 30");
 }
 
 // Between 5 mm above the floor and 5 mm below the highest centre are 3 mm of a bed of rods 20 mm
@@ -492,6 +496,32 @@ TEST_F(Programs, DoubtfulContactsFollowTheDigits)
   EXPECT_EQ(doubtful("0.123456", "0.143456"), 1);
   EXPECT_EQ(doubtful("0.123456000002", "0.143456200001"), 0);
   EXPECT_EQ(doubtful("0.1", "0.1201"), 0);  // 1e-4 m apart
+  // A rod far away, whose own place is known to 5 cm only, makes no other doubtful.
+  write("d.dump", std::string(head).replace(head.find("\n2\n"), 3, "\n3\n") +
+                      "1 0.123456 0 0 0.01 0.05 1 0 0 0\n2 0.1437 0 0 0.01 0.05 1 0 0 0\n"
+                      "3 -10000.2 0 0 0.01 0.05 1 0 0 0\n");
+  ASSERT_EQ(run("rod_contacts d.dump --csv c.csv"), 0) << error_;
+  EXPECT_EQ(csv_row(read("c.csv"))["doubtful_pairs"], 0);
+}
+
+// Beds whose tables of contact numbers end at different rows: a bed without rods of 14 contacts has
+// 0 of them, so that the fractions add up to 1.
+TEST_F(Programs, FractionsOfSeveralFilesAddUp)
+{
+  ASSERT_EQ(run("rod_contacts seed1.dump seed2.dump seed3.dump --gap 9 --tables t"), 0) << error_;
+  double sum = 0.0, errors = 0.0;
+  std::istringstream lines(read("t_numbers.csv"));
+  std::string line, field;
+  for (std::getline(lines, line); std::getline(lines, line);) {
+    std::istringstream fields(line);  // step, contacts, rods, fraction, fraction_error
+    for (int k = 0; k < 4; ++k) std::getline(fields, field, ',');
+    sum += std::stod(field);
+    std::getline(fields, field, ',');
+    errors += !field.empty();
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-9);
+  EXPECT_GT(errors, 2);
+  EXPECT_EQ(errors + 1, static_cast<double>(count_lines(read("t_numbers.csv"))));
 }
 
 // V_f as rod_packing has it, and the random contact equation with the measured <|sin gamma|>.
@@ -840,7 +870,7 @@ TEST_F(Programs, FilmIsMadeByFfmpeg)
   ASSERT_EQ(run("env PATH=bin:\"$PATH\" " + command), 0) << error_;
   EXPECT_EQ(out_, "p_0001.png\np_0002.png\n");
   const std::string called = read("called.txt");
-  for (const char *words : {"-framerate 25 ", "-i p_%04d.png ", "libvpx-vp9", " p.part.webm\n"})
+  for (const char *words : {"-framerate 25 ", "-i p_%04d.png ", "libvpx-vp9", ".webm\n"})
     EXPECT_NE(called.find(words), std::string::npos) << called;
   fake("exit 3");
   EXPECT_EQ(run("env PATH=bin:\"$PATH\" " + command), 2);
@@ -876,23 +906,43 @@ TEST_F(Programs, WriteWholeFilesOrNone)
 {
   write("twice.dump", bed_ + "ITEM: TIMESTEP\nnonsense\n");
   write("old.csv", "old\n");
-  expect_failure("rod_packing twice.dump --frame all --vessel-radius 0.305 --csv old.csv", ":");
-  expect_failure("rod_packing seed1.dump twice.dump --vessel-radius 0.305 --csv new.csv", ":");
+  expect_failure("rod_packing twice.dump --frame all --vessel-radius 0.305 --csv old.csv",
+                 "the time step is 'nonsense'");
+  expect_failure("rod_packing seed1.dump twice.dump --vessel-radius 0.305 --csv new.csv",
+                 "the time step is 'nonsense'");
   expect_failure("rod_contacts bed.dump --csv old.csv --tables nowhere/x", "nowhere/x");
   expect_failure("rod_orientation bed.dump --csv old.csv --summary-csv nowhere.csv/x", "nowhere");
-  expect_failure("rod_plot packing old.csv --out a.svg nowhere/b.png", ":");
+  write("table.csv", "lambda,vf_inner,mean_sin_gamma\n10,0.4,0.7\n");
+  expect_failure("rod_plot packing table.csv --out a.svg nowhere/b.png", "nowhere/b.png");
+  expect_failure("rod_packing bed.dump --vessel-radius 0.305 --csv .", "is a folder");
   EXPECT_EQ(read("old.csv"), "old\n");
-  // What a link leads to is written, and the link stays; devices are written to.
+}
+
+// What a link leads to is written, there or not, and the link stays.
+TEST_F(Programs, WriteThroughLinks)
+{
   write("target.csv", "old\n");
-  std::filesystem::create_symlink("target.csv", folder() / "link.csv");
-  EXPECT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv link.csv"), 0) << error_;
-  EXPECT_TRUE(std::filesystem::is_symlink(folder() / "link.csv"));
-  EXPECT_NE(read("target.csv").find("vf_whole"), std::string::npos);
-  EXPECT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv /dev/null"), 0) << error_;
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
-  EXPECT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv /dev/stdout | cat"), 0) << error_;
-  EXPECT_TRUE(std::filesystem::is_symlink("/dev/stdout"));
+  for (const std::string target : {"target.csv", "new.csv"}) {
+    std::filesystem::create_symlink(target, folder() / ("link_" + target));
+    EXPECT_EQ(run("rod_packing bed.dump --vessel-radius 0.305 --csv link_" + target), 0) << error_;
+    EXPECT_TRUE(std::filesystem::is_symlink(folder() / ("link_" + target)));
+    EXPECT_NE(read(target).find("vf_whole"), std::string::npos);
+  }
+  std::filesystem::create_symlink("loop.csv", folder() / "loop.csv");
+  expect_sentence("rod_packing bed.dump --vessel-radius 0.305 --csv loop.csv", "loop.csv");
+}
+
+// Open files and pipes are written to as they are.
+TEST_F(Programs, WriteToPipesAndOpenFiles)
+{
+  const std::string command = "rod_packing bed.dump --vessel-radius 0.305 --csv ";
+  EXPECT_EQ(run(command + "/dev/null"), 0) << error_;
+  EXPECT_EQ(run(command + "/dev/stdout | cat"), 0) << error_;
   EXPECT_NE(out_.find("vf_whole"), std::string::npos);
+  EXPECT_EQ(run("sh -c '" + command + "/dev/fd/3 3>three.txt'"), 0) << error_;
+  EXPECT_NE(read("three.txt").find("vf_whole"), std::string::npos);
+  EXPECT_EQ(run("sh -c 'mkfifo p; cat p >got.txt & " + command + "p; wait'"), 0) << error_;
+  EXPECT_NE(read("got.txt").find("vf_whole"), std::string::npos);
 }
 
 TEST_F(Programs, DoNotWriteOverWhatTheyRead)
@@ -904,7 +954,10 @@ TEST_F(Programs, DoNotWriteOverWhatTheyRead)
   expect_failure("rod_packing bed.dump --vessel-radius 0.305 --csv other.csv", reads);
   expect_failure("rod_contacts bed.dump seed1.dump --csv seed1.dump", "is written by this run");
   expect_failure("rod_orientation bed.dump --csv a.csv --summary-csv a.csv", twice);
-  expect_failure("rod_render bed.dump --out bed.dump", "bed.dump");
+  // Names below /proc lead to ordinary files too.
+  expect_failure("rod_packing bed.dump --vessel-radius 0.305 --csv /proc/self/cwd/bed.dump", reads);
+  std::filesystem::create_hard_link(folder() / "bed.dump", folder() / "bed.png");
+  expect_failure("rod_render bed.dump --out bed.png", reads);
 }
 
 TEST_F(Programs, NoDisplayAndNoXvfb)
