@@ -11,6 +11,9 @@ seeds=(86028121 49979687 67867967 104395301 122949823 141650939 160481183 179424
 declare -A vessel_radius=([10]=0.105 [20]=0.205 [30]=0.305)
 total_time=10   # s; in.rods counts 50000 steps a second
 
+# Whether finished runs are computed again all the same.
+compute_anew=no
+
 name_of() { echo "lambda$1_limits_$2_seed$3"; }
 
 # cases LAMBDAS NUMBER_OF_SEEDS: one case a line, the first seed of all lambdas first.
@@ -31,6 +34,14 @@ made_by() {
   { decks | xargs cat; cat build/release/libspherocylinder.so; echo "$total_time"; } | sha256sum | cut -d' ' -f1
 }
 
+# Keeps a folder to this script until it and all it has started have ended: two at once would remove
+# each other's runs.
+lock_folder() {
+  local lock
+  exec {lock}<"$1"
+  flock --nonblock "$lock" || die "another ${0##*/} works in $1: wait until it has ended"
+}
+
 # One case: fill, settle, in its own folder with its own copy of the decks. The wall time in seconds
 # goes to a file, which also says that the case is finished.
 run_case() {
@@ -38,7 +49,7 @@ run_case() {
   local variables=(-var lambda "$lambda" -var seed "$seed" -var total_time "$total_time")
   [ "$limits" = study ] || variables+=(-var limit_fill 0 -var limit_settle 0)
   local begin=$SECONDS
-  trap '[ -z "$lmp" ] || kill "$lmp" 2>/dev/null; exit 1' TERM INT
+  trap '[ -z "$lmp" ] || { kill "$lmp"; wait "$lmp"; } 2>/dev/null; exit 1' TERM INT
   decks | xargs cp -t "$folder"
   cd "$folder"
   # Runs side by side: Open MPI's single ranks would share, and remove, one session folder.
@@ -89,10 +100,10 @@ steps_done() {
   echo "$step"
 }
 
-show_progress() {  # OUT BEGAN CASE...
-  local out=$1 began=$2 done_steps=0 c left='...' text
-  shift 2
-  local all_steps=$(($# * 50000 * total_time))
+show_progress() {  # OUT BEGAN NUMBER_OF_CASES STARTED_CASE...
+  local out=$1 began=$2 number=$3 done_steps=0 c left='...' text
+  shift 3
+  local all_steps=$((number * 50000 * total_time))
   for c in "$@"; do
     # shellcheck disable=SC2086
     done_steps=$((done_steps + $(steps_done "$out/$(name_of $c)")))
@@ -103,23 +114,24 @@ show_progress() {  # OUT BEGAN CASE...
     left=$(printf '%d:%02d' $((left / 60)) $((left % 60)))
   fi
   text=$(printf '%s: %d cases, %d %% of the steps, %d:%02d min so far, %s left' "${0##*/}" \
-    $# $((100 * done_steps / all_steps)) $((elapsed / 60)) $((elapsed % 60)) "$left")
+    "$number" $((100 * done_steps / all_steps)) $((elapsed / 60)) $((elapsed % 60)) "$left")
   if [ -t 1 ]; then printf '\r%s   ' "$text"; else echo "$text"; fi
 }
 
-# run_cases OUT JOBS CASE...: runs those whose folder in OUT holds no finished run, JOBS at a time.
+# run_cases OUT JOBS CASE...: runs those whose folder in OUT holds no finished run, or all to compute
+# them anew, JOBS at a time. What a folder held stays there until its own run starts.
 # After each case the caller's function `finished FOLDER LAMBDA LIMITS SEED` is called, for a kept
 # one at once. A case that fails is named, the others go on; then the result is 1.
 run_cases() {
   local out=$1 jobs=$2 maker c folder r pid i began=$SECONDS last_shown=-1000 interval=2
   shift 2
-  local to_run=() pending=() running=() still=() failed=()
+  local pending=() started=() running=() still=() failed=() number
   [ -t 1 ] || interval=30
   maker=$(made_by)
   for c in "$@"; do
     # shellcheck disable=SC2086
     folder=$out/$(name_of $c)
-    if [ -e "$folder/wall_seconds" ]; then
+    if [ $compute_anew = no ] && [ -e "$folder/wall_seconds" ]; then
       if [ "$(cat "$folder/made_by")" != "$maker" ]; then
         echo "${0##*/}: $folder was made with other decks or another plug-in: move it away or give another folder" >&2
         return 2
@@ -128,19 +140,21 @@ run_cases() {
       # shellcheck disable=SC2086
       finished "$folder" $c
     else
-      rm -rf "$folder"; mkdir -p "$folder"
-      echo "$maker" >"$folder/made_by"
-      to_run+=("$c")
+      pending+=("$c")
     fi
   done
   trap 'kill $(jobs -p) 2>/dev/null || true; wait' EXIT
-  pending=("${to_run[@]}")
+  number=${#pending[@]}
   while [ ${#pending[@]} -gt 0 ] || [ ${#running[@]} -gt 0 ]; do
     while [ ${#pending[@]} -gt 0 ] && [ ${#running[@]} -lt "$jobs" ]; do
       c=${pending[0]}; pending=("${pending[@]:1}")
       # shellcheck disable=SC2086
-      run_case "$out/$(name_of $c)" $c &
-      running+=("$! $c")
+      folder=$out/$(name_of $c)
+      rm -rf "$folder"; mkdir -p "$folder"
+      echo "$maker" >"$folder/made_by"
+      # shellcheck disable=SC2086
+      run_case "$folder" $c &
+      running+=("$! $c"); started+=("$c")
     done
     sleep 1
     still=()
@@ -160,21 +174,23 @@ run_cases() {
     done
     running=("${still[@]+"${still[@]}"}")
     if [ $((SECONDS - last_shown)) -ge $interval ]; then
-      show_progress "$out" "$began" "${to_run[@]}"; last_shown=$SECONDS
+      show_progress "$out" "$began" "$number" "${started[@]}"; last_shown=$SECONDS
     fi
   done
   trap - EXIT
-  if [ -t 1 ] && [ ${#to_run[@]} -gt 0 ]; then echo; fi
+  if [ -t 1 ] && [ "$number" -gt 0 ]; then echo; fi
   [ ${#failed[@]} -eq 0 ] && return 0
   echo "${0##*/}: failed: ${failed[*]}" >&2
   return 1
 }
 
-# columns FILE NAME...: the named columns of a CSV file of one row, with commas between.
+# columns FILE NAME...: the named columns of a CSV file of one row, with commas between. Of FILE -,
+# which is stdin, messages say what $called says.
 columns() {
-  local file=$1
+  local file=$1 name=$1
   shift
-  awk -F, -v file="$file" -v program="${0##*/}" -v names="$*" '
+  [ "$file" != - ] || name=$called
+  awk -F, -v file="$name" -v program="${0##*/}" -v names="$*" '
     function refuse(text) { print program ": " file " " text >"/dev/stderr"; refused = 1; exit 1 }
     NR == 1 {
       for (i = 1; i <= NF; i++) at[$i] = i

@@ -15,6 +15,9 @@ table() {
     END { print "</table>" }'
 }
 
+# Time modelled at the n-th picture of the filling, of which the last is that of the settled bed.
+time_of_snapshot() { awk "BEGIN { print ${snapshots[$1 - 1]:-$total_time * 50000} / 50000 }"; }
+
 # Means over the beds of each kind with standard errors (of one bed: none).
 table_of_means() {
   awk -F, '
@@ -187,9 +190,12 @@ $(table_of_means)
 
 <h2>Figure 1: filling</h2>
 <figure><div class="row">
-$(for ((n = 1; n <= ${#snapshots[@]} + 1; n++)); do image "$results/figure1_$n.png" "snapshot $n of the filling"; done)
+$(for ((n = 1; n <= ${#snapshots[@]} + 1; n++)); do
+    echo "<div>"; image "$results/figure1_$n.png" "snapshot $n of the filling"
+    echo "$(time_of_snapshot $n) s</div>"
+  done)
 </div>
-<figcaption>Rods of λ = 30 without a limit on ω while they fill the vessel, and at the end; seed $shown_seed. Only the lower 2 m
+<figcaption>Rods of λ = 30 without a limit on ω while they fill the vessel, and at the end, with the time modelled; seed $shown_seed. Only the lower 2 m
 of the vessel, which is 10 m high, are drawn, seen level; rods that reach above are not drawn. Colours are those of figure 2.</figcaption></figure>
 
 <h2>Figure 2: the bed of λ = 30</h2>

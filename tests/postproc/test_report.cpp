@@ -3,7 +3,10 @@
 // same small bed at once: what is computed, kept, named when it fails, and what the page holds.
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -36,11 +39,19 @@ class Report : public ScratchFolder {
     fs::copy(project / "examples/paper/literature.csv", folder() / "examples/paper");
     fs::create_directories(folder() / "build/release");
     for (const char *program : {"rod_packing", "rod_orientation", "rod_plot"})
-      fs::create_symlink(programs / program, folder() / "build/release" / program);
-    // Small pictures, since they take most of the time.
-    write_program("rod_render", fmt::format(R"(for word; do
+      write_program(program, fmt::format("exec '{}/{}' \"$@\"\n", programs.string(), program));
+    // Small pictures, since they take most of the time. Letters of 8 pixels in the same proportion to
+    // them, since ones that are too large for the words are refused.
+    write_program("rod_render", fmt::format(R"(size= font= option=
+for word; do
+  case $option in --size) size=$word ;; --font-size) font=$word ;; esac
+  option=$word
+done
+[ -z "$size" ] || size=$((${{size%x*}} * 8 / font))x$((${{size#*x}} * 8 / font))
+for word; do
   shift
-  case $word in *[0-9]x[0-9]*) word=200x200 ;; esac
+  case $option in --size) word=$size ;; --font-size) word=8 ;; esac
+  option=$word
   set -- "$@" "$word"
 done
 exec '{}/rod_render' "$@" --resolution 8
@@ -70,6 +81,12 @@ if [ -e $root/broken ] && [ $lambda = 20 ] && [ "${{limit_fill-study}}" = 0 ]; t
   echo "ERROR: this one is broken"
   exit 1
 fi
+if [ -e $root/second ] && [ $deck = in.fill ] && [ $lambda = 10 ] && [ ${{limit_fill-1}} = 0 ]; then
+  mv $root/second $root/second_report
+  (cd $root; scripts/report --no-build --quick 2>second_report; echo "exit code $?" >>second_report)
+fi
+grep -c , $root/build/report/results/beds.csv >>$root/rows_meanwhile
+ls $root/build/cases_quick/*/wall_seconds 2>/dev/null | wc -l >>$root/finished_meanwhile
 cp $root/bed.${{deck#in.}} dump.${{deck#in.}}
 cat >$log <<LOG
 $(cat $root/columns)
@@ -107,6 +124,19 @@ done
   {
     for (const char *program : {"rod_render", "rod_plot"})
       fs::rename(folder() / "build" / program, folder() / "build/release" / program);
+  }
+
+  // As a build after a change of sources leaves the programs.
+  void build()
+  {
+    for (const auto &program : fs::directory_iterator(folder() / "build/release"))
+      fs::last_write_time(program, fs::file_time_type::clock::now());
+  }
+
+  std::vector<int> numbers_in(const std::string &name) const
+  {
+    std::istringstream text(read(name));
+    return {std::istream_iterator<int>(text), {}};
   }
 
   // All pictures on one display.
@@ -174,6 +204,9 @@ TEST_F(Report, KeepsWhatIsDoneAndHoldsAll)
   const std::string page = read("build/report/report.html");
   EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBOR"), 11u);
   EXPECT_EQ(count(page, "src="), 11u);
+  // Of 50000 steps a second: the first of figure 1 at 25000, the last at the end.
+  EXPECT_EQ(count(page, "\n0.5 s</div>"), 1u);
+  EXPECT_EQ(count(page, "\n4 s</div>"), 1u);
   EXPECT_EQ(count(page, "href="), 0u);
   EXPECT_NE(page.find("This is the quick version"), std::string::npos);
   EXPECT_EQ(count(page, "class=\"notice\""), 1u);
@@ -216,7 +249,8 @@ TEST_F(Report, KeepsOnlyWhatIsOfThisReport)
   // Other decks and other programs: both are said, here and on the page, and nothing is computed.
   fs::remove_all(folder() / "build/cases_quick");
   append("input/in.contact", "# another deck\n");
-  append("postproc/analysis/rods.cpp", "// another program\n");
+  append("src_plugin/core/near_pairs.cpp", "// another program\n");
+  build();
   ASSERT_EQ(run("--quick"), 0) << read("error.txt");
   EXPECT_EQ(calls(), 16u);
   for (const char *words : {"6 of the 6 beds were made with other decks or another plug-in",
@@ -230,6 +264,11 @@ TEST_F(Report, KeepsOnlyWhatIsOfThisReport)
   // file from before a column was added, and lost rows come back.
   fs::remove_all(folder() / "build/cases_quick");
   fs::rename(folder() / "build/away", folder() / "build/cases_quick");
+  const std::string beds_now = read(beds);
+  edit(beds, "'1s/,sources,/,made_from,/'");
+  EXPECT_EQ(run("--quick"), 1);
+  EXPECT_EQ(read("error.txt"), "report: build/report/results/beds.csv has no column sources\n");
+  write(beds, beds_now);
   edit(beds, "'s/,[^,]*$//'");
   fs::remove(folder() / elevation);
   ASSERT_EQ(run("--quick"), 0) << read("error.txt");
@@ -273,11 +312,94 @@ TEST_F(Report, PicturesOfTheBedsMatch)
   edit("scripts/report", "'s/^bed_top=0.8/bed_top=0.6/'");
   ASSERT_EQ(run("--quick"), 0) << read("error.txt");
   EXPECT_EQ(count(read("rod_render.calls"), "\n"), 2 * drawn);
+  append("postproc/analysis/rods.cpp", "// another program\n");
+  build();
+  ASSERT_EQ(run("--quick"), 0) << read("error.txt");
+  EXPECT_EQ(count(read("rod_render.calls"), "\n"), 3 * drawn);
   fs::remove_all(folder() / "build/cases_quick");
   edit("scripts/report", "'s/^bed_top=0.6/bed_top=0.8/'");
   ASSERT_EQ(run("--quick"), 0) << read("error.txt");
-  EXPECT_EQ(count(read("rod_render.calls"), "\n"), 2 * drawn);
+  EXPECT_EQ(count(read("rod_render.calls"), "\n"), 3 * drawn);
   EXPECT_EQ(count(read("build/report/report.html"), "were drawn by another rod_render"), 2u);
+}
+
+// Anew means these beds, one after the other: what is kept of them stays until they are done, of
+// others for good.
+TEST_F(Report, FreshReplacesOneByOne)
+{
+  draw_nothing();
+  ASSERT_EQ(run("--quick --jobs 6"), 0) << read("error.txt");
+  const std::string beds = "build/report/results/beds.csv";
+  const fs::path cases = folder() / "build/cases_quick";
+  edit(beds, "'$ {p; s/^[^,]*,[^,]*,[^,]*,/10,none,49979687,/}'");
+  edit(beds, "'s/,6.25,/,5.25,/'");
+  fs::copy(cases / "lambda10_limits_none_seed86028121",
+           cases / "lambda10_limits_none_seed49979687");
+  fs::remove(folder() / "rows_meanwhile");
+  fs::remove(folder() / "finished_meanwhile");
+
+  write("broken", "");
+  EXPECT_EQ(run("--quick --fresh --jobs 3"), 1);
+  EXPECT_NE(read("out.txt").find("report: 6 beds, 0 of them kept"), std::string::npos);
+  EXPECT_EQ(calls(), 12u + 11u) << read("calls");
+  // The header and seven beds, of which five are made anew: not those that failed or were not asked
+  // for.
+  EXPECT_EQ(count(read(beds), "\n"), 8u) << read(beds);
+  EXPECT_EQ(count(read(beds), ",6.25,"), 5u) << read(beds);
+  EXPECT_EQ(count(read(beds), "20,none,86028121,"), 1u) << read(beds);
+  EXPECT_TRUE(fs::exists(cases / "lambda10_limits_none_seed49979687/wall_seconds"));
+  // Of seven finished runs no more than three, those under way, are ever gone, and of the rows none.
+  const auto rows = numbers_in("rows_meanwhile"), finished = numbers_in("finished_meanwhile");
+  ASSERT_EQ(rows.size(), 10u);
+  EXPECT_EQ(*std::min_element(rows.begin(), rows.end()), 8);
+  ASSERT_EQ(finished.size(), 10u);
+  EXPECT_GE(*std::min_element(finished.begin(), finished.end()), 3);
+}
+
+// Two at once would remove each other's runs.
+TEST_F(Report, OneAtATime)
+{
+  draw_nothing();
+  write("second", "");
+  ASSERT_EQ(run("--quick --jobs 6"), 0) << read("error.txt");
+  EXPECT_EQ(read("second_report"),
+            "report: another report works in build/cases_quick: wait until it has ended\n"
+            "exit code 2\n");
+  EXPECT_EQ(calls(), 12u) << read("calls");
+}
+
+// A program that is older than what it is made of is not used.
+TEST_F(Report, ProgramsOfTheSources)
+{
+  const auto refused = [&](const std::string &source, const std::string &program) {
+    build();
+    const fs::path file = folder() / source;
+    const auto time_then = fs::last_write_time(file);
+    fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(1));
+    EXPECT_EQ(run("--quick"), 2) << source;
+    EXPECT_EQ(read("error.txt"),
+              fmt::format("report: --no-build: {} is newer than build/release/{}: leave out "
+                          "--no-build, or touch the program if it was built from it\n",
+                          source, program));
+    fs::last_write_time(file, time_then);
+  };
+  refused("src_plugin/styles/balance.cpp", "libspherocylinder.so");
+  refused("src_plugin/core/near_pairs.cpp", "libspherocylinder.so");
+  refused("src_plugin/loader/lmp.cpp", "lmp");
+  refused("postproc/analysis/rods.cpp", "rod_packing");
+  refused("postproc/tools/rod_orientation.cpp", "rod_orientation");
+  refused("postproc/pictures/film.cpp", "rod_render");
+  refused("postproc/figures/figure.cpp", "rod_plot");
+
+  // The plug-in built anew, the others not.
+  const fs::path core = folder() / "src_plugin/core/near_pairs.cpp";
+  build();
+  const auto later = fs::file_time_type::clock::now() + std::chrono::seconds(1);
+  fs::last_write_time(core, later);
+  fs::last_write_time(folder() / "build/release/libspherocylinder.so", later);
+  EXPECT_EQ(run("--quick"), 2);
+  EXPECT_EQ(count(read("error.txt"), "near_pairs.cpp is newer than build/release/rod_packing:"), 1u);
+  EXPECT_FALSE(fs::exists(folder() / "calls"));
 }
 
 // What the page gives as commands is run as it stands.
