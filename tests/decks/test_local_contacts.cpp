@@ -551,8 +551,9 @@ compute rows all pair/gran/local pos vel id force force_normal force_tangential 
   const auto got = rows_of(data_file(scene), false, Program::Lmp);
   const auto wanted = rows_of(stock_data, true, Program::Stock);
   // The plug-in leaves decks of spheres alone. (The sanitizers cannot be preloaded after the start.)
-  if (!SPHEROCYLINDER_SANITIZED)
+  if (!SPHEROCYLINDER_SANITIZED) {
     EXPECT_EQ(rows_of(stock_data, true, Program::Preloaded), wanted);
+  }
 
   ASSERT_EQ(got.size(), 2u);
   ASSERT_EQ(wanted.size(), 2u);
