@@ -70,13 +70,6 @@ struct OrientationBeds {
   std::vector<BinOfBeds> bins;
 };
 
-// How far beds differ is unknown if there is one only.
-MeanWithError mean_over_beds(const std::vector<double> &values)
-{
-  const MeanWithError mean = mean_of(values);
-  return values.size() == 1 ? MeanWithError{mean.mean, none} : mean;
-}
-
 }  // namespace
 
 double number_between(const CsvTable &table, std::size_t row, const std::string &column, double low,
@@ -130,9 +123,9 @@ std::vector<PackingMean> packing_means(const std::vector<std::string> &files,
   for (const std::string &group : groups)
     for (const PackingBeds &kind : kinds)
       if (kind.group == group)
-        means.push_back({group, kind.lambda, kind.vf.size(), mean_over_beds(kind.vf),
+        means.push_back({group, kind.lambda, kind.vf.size(), mean_of(kind.vf),
                          kind.sin_gamma.size() == kind.vf.size()
-                             ? mean_over_beds(kind.sin_gamma)
+                             ? mean_of(kind.sin_gamma)
                              : MeanWithError{none, none}});
   return means;
 }

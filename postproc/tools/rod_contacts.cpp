@@ -109,8 +109,7 @@ void print_table(const BedContacts &b, double strong, bool with_walls)
   if (b.doubtful_pairs > 0)
     fmt::print(
         "    doubtful             {:8}             pairs so near to touching that the dump's "
-        "digits "
-        "do not tell\n",
+        "digits do not tell\n",
         b.doubtful_pairs);
   if (with_walls)
     measured("  with walls", b.with_walls.per_rod, fmt::format("({} at walls)", b.walls.size()));
@@ -136,6 +135,7 @@ class Tables {
  public:
   explicit Tables(const Options &o)
       : several_(o.beds.several()),
+        has_contacts_(!o.contacts_csv.empty()),
         bins_(o.bins),
         summary_(o.csv, contact_summary_fields(), several_),
         numbers_(path(o, "numbers"), number_fields(), several_, MissingRows::zero),
@@ -147,7 +147,7 @@ class Tables {
                 MissingRows::zero),
         contacts_(o.contacts_csv, contact_fields(), false)
   {
-    if (several_ && !o.contacts_csv.empty())
+    if (several_ && has_contacts_)
       throw InputError(fmt::format("--contacts-csv: wanted with one DUMP file only (got {})",
                                    o.beds.dumps.size()));
   }
@@ -164,7 +164,7 @@ class Tables {
     if (b.pair_forces || b.wall_forces)
       forces_.add_all(over_mean_rows(b.step, sizes(b.pair_forces), sizes(b.wall_forces), bins_));
     if (b.pair_forces) chains_.add_all(chain_rows(b));
-    if (!several_) contacts_.add_all(contact_rows(b, bed.rods));
+    if (has_contacts_) contacts_.add_all(contact_rows(b, bed.rods));  // many: only if asked for
   }
 
   void finish()
@@ -188,7 +188,7 @@ class Tables {
     return options.tables.empty() ? "" : fmt::format("{}_{}.csv", options.tables, name);
   }
 
-  bool several_;
+  bool several_, has_contacts_;
   std::size_t bins_;
   ResultTable<BedContacts> summary_;
   ResultTable<NumberRow> numbers_;

@@ -252,8 +252,7 @@ void run(const Options &options, char **argv)
     if (!vessel) picture.box = periodic_box(frame, rods);
     const std::string path = several ? numbered(options.out, ++pictures) : options.out;
     OutputFile{path};  // can it be written?
-    need_display(
-        argv);  // may start the program again: what is wrong has been said, no file is open
+    need_display(argv);  // may start the program again: all is said, no file is open
     OutputFile output(path);
     write_bed_picture(output.working_path(), part, colour, picture);
     output.finish();
