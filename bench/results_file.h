@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A table of a sweep, kept in bench/results/.
+// A table of a sweep, in bench/results of the build folder. Those of bench/results are kept copies.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -13,7 +14,7 @@ class ResultsFile {
   // The header names the columns with their units. Rows reach the disk as they come, so that a
   // sweep that is stopped leaves what it has.
   ResultsFile(const std::string &name, const std::string &header)
-      : file_(std::fopen((RESULTS_FOLDER "/" + name).c_str(), "w"))
+      : file_(open(name))
   {
     if (!file_) throw std::runtime_error("cannot write " RESULTS_FOLDER "/" + name);
     line(header);
@@ -30,6 +31,12 @@ class ResultsFile {
 
  private:
   std::FILE *file_;
+
+  static std::FILE *open(const std::string &name)
+  {
+    std::filesystem::create_directories(RESULTS_FOLDER);
+    return std::fopen((RESULTS_FOLDER "/" + name).c_str(), "w");
+  }
 
   void line(const std::string &text)
   {

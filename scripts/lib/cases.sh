@@ -11,6 +11,9 @@ seeds=(86028121 49979687 67867967 104395301 122949823 141650939 160481183 179424
 declare -A vessel_radius=([10]=0.105 [20]=0.205 [30]=0.305)
 total_time=10   # s; in.rods counts 50000 steps a second
 
+# What runs, measures and draws them, as targets of the build: without the tests.
+programs=(lmp spherocylinder rod_packing rod_orientation rod_render)
+
 # Whether finished runs are computed again all the same.
 compute_anew=no
 

@@ -466,8 +466,11 @@ TEST_F(Report, TableOfMeans)
 // scripts/run does the same cases, for a table and a picture of each.
 TEST_F(Report, RunMakesATable)
 {
-  for (const char *script : {"scripts/setup", "scripts/build"}) write(script, "#!/bin/sh\n");
+  write("scripts/setup", "#!/bin/sh\n");
+  write("scripts/build", "#!/bin/sh\necho \"$*\" >built\n");
   ASSERT_EQ(run_script("run 10 --out beds --jobs 2"), 0) << read("error.txt");
+  // What is used and nothing else, least of all tests.
+  EXPECT_EQ(read("built"), "release lmp spherocylinder rod_packing rod_orientation rod_render\n");
   EXPECT_EQ(calls(), 4u);
   const std::string summary = read("beds/summary.csv");
   EXPECT_EQ(count(summary, "\n"), 3u) << summary;

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// scripts/setup, scripts/build and bench/run with programs that stand in for apt-get, cmake, lmp and
+// so on: what they ask for, what they leave alone, where their files go.
+#include <sys/wait.h>
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "scratch_folder.h"
+
+namespace spherocylinder {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Scripts : public ScratchFolder {
+ protected:
+  void SetUp() override
+  {
+    const fs::path project = PROJECT_FOLDER;
+    for (const char *part : {"scripts", "bench", "input"})
+      fs::copy(project / part, folder() / part, fs::copy_options::recursive);
+    fs::create_directories(folder() / "bin");
+    fs::create_directories(folder() / "build/release");
+  }
+
+  void write_program(const std::string &name, const std::string &text)
+  {
+    write(name, "#!/bin/sh\n" + text);
+    fs::permissions(folder() / name, fs::perms::owner_all);
+  }
+
+  // Exit code; what it says is in out.txt and error.txt.
+  int run(const std::string &command)
+  {
+    const int status = std::system(
+        fmt::format("cd '{0}' && PATH='{0}/bin':$PATH {1} >out.txt 2>error.txt", folder().string(),
+                    command)
+            .c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  // A machine that lacks two packages; `plan` is what `apt-get install -s` prints.
+  void lack_packages(const std::string &plan)
+  {
+    write("plan", plan);
+    write_program("bin/dpkg-query",
+                  "case $* in *libvtk9-dev*|*xvfb*) exit 1 ;; esac\nprintf installed\n");
+    write_program("bin/sudo", "exec \"$@\"\n");
+    write_program("bin/apt-get", fmt::format(R"(echo "$*" >>'{0}/apt-get.calls'
+case "$*" in
+  *" -s "*) cat '{0}/plan'; [ ! -e '{0}/no_plan' ] || exit 100 ;;
+esac
+)",
+                                             folder().string()));
+  }
+};
+
+TEST_F(Scripts, SetupInstallsWhatIsMissing)
+{
+  lack_packages("NOTE: This is only a simulation!\nInst xvfb (1.0 Debian:12 [amd64])\n"
+                "Inst libvtk9-dev (9.1 Debian:12 [amd64])\nConf xvfb (1.0 Debian:12 [amd64])\n");
+  ASSERT_EQ(run("scripts/setup"), 0) << read("error.txt");
+  EXPECT_EQ(read("apt-get.calls"),
+            "update -q\n"
+            "install -q -y --no-install-recommends -s libvtk9-dev xvfb\n"
+            "install -q -y --no-install-recommends --no-remove libvtk9-dev xvfb\n");
+}
+
+// As on a machine with ParaView: its Python and VTK's exclude each other.
+TEST_F(Scripts, SetupRemovesNothing)
+{
+  lack_packages("Remv paraview [5.11.0+dfsg-1]\nRemv python3-paraview [5.11.0+dfsg-1]\n"
+                "Inst python3-vtk9 (9.1 Debian:12 [amd64])\nInst xvfb (1.0 Debian:12 [amd64])\n");
+  EXPECT_EQ(run("scripts/setup"), 1);
+  EXPECT_EQ(read("error.txt"),
+            "setup: to install libvtk9-dev xvfb apt-get would remove paraview python3-paraview: "
+            "nothing is installed\n"
+            "setup: remove those first if you can do without them, or use another machine or a "
+            "container\n");
+  EXPECT_EQ(read("apt-get.calls"),
+            "update -q\ninstall -q -y --no-install-recommends -s libvtk9-dev xvfb\n");
+}
+
+TEST_F(Scripts, SetupWithoutAPlan)
+{
+  lack_packages("E: Unable to locate package libvtk9-dev\n");
+  write("no_plan", "");
+  EXPECT_EQ(run("scripts/setup"), 1);
+  EXPECT_EQ(read("error.txt"),
+            "E: Unable to locate package libvtk9-dev\n"
+            "setup: apt-get cannot install libvtk9-dev xvfb: nothing is installed\n");
+}
+
+TEST_F(Scripts, BuildTakesTargets)
+{
+  write_program("bin/cmake", "echo \"$*\" >>cmake.calls\n");
+  ASSERT_EQ(run("scripts/build"), 0);
+  ASSERT_EQ(run("scripts/build dev"), 0);
+  ASSERT_EQ(run("scripts/build release lmp rod_packing"), 0);
+  EXPECT_EQ(read("cmake.calls"),
+            "--preset release\n--build --preset release\n"
+            "--preset dev\n--build --preset dev\n"
+            "--preset release\n--build --preset release --target lmp rod_packing\n");
+}
+
+class Bench : public Scripts {
+ protected:
+  void SetUp() override
+  {
+    Scripts::SetUp();
+    write_program("scripts/setup", "");
+    for (const char *program : {"cmake", "mpirun", "gnuplot"})
+      write_program(fmt::format("bin/{}", program),
+                    fmt::format("echo \"$*\" >>'{}/{}.calls'\n", folder().string(), program));
+    // Of time's options only the file and the command matter.
+    write_program("bin/time", R"(file=/dev/stderr
+while [ $# -gt 0 ]; do
+  case $1 in -a) shift ;; -o) file=$2; shift 2 ;; -f) shift 2 ;; *) break ;; esac
+done
+"$@"; echo 50000 >>$file
+)");
+    write_program("build/release/place_rods", "");
+    const std::string lmp = fmt::format(R"(while [ $# -gt 0 ]; do
+  case $1 in
+    -in) deck=$2; shift ;;
+    -log) log=$2; shift ;;
+    -var) eval "$2=$3"; shift 2 ;;
+  esac
+  shift
+done
+[ "$log" != none ] || exit 0
+echo "$deck $lambda $rods" >>'{0}/calls'
+echo 'Loop time of 0.25' >"$log"
+printf 'ITEM: ATOMS\n1 0 0 0.01\n' >"$folder/dump.final"
+)",
+                                        folder().string());
+    write_program("build/release/lmp", lmp);
+    write_program("bin/liggghts", lmp);
+  }
+
+  // A gas too large for glued rods: a row of the plug-in alone.
+  int time_gas(const std::string &options)
+  {
+    return run("bench/run --case 'gas 30 20000 1' --runs 1 " + options);
+  }
+};
+
+// Kept results stay as they are; those of this machine go to the build folder.
+TEST_F(Bench, ResultsOfThisMachine)
+{
+  const std::string kept = read("bench/results/speed.csv");
+  EXPECT_EQ(kept.rfind("# machine: ", 0), 0u);
+  ASSERT_EQ(time_gas(""), 0) << read("error.txt");
+  EXPECT_EQ(read("calls"), "in.start_gas 30 20000\nin.time_plugin 30 20000\n");
+  EXPECT_EQ(read("bench/results/speed.csv"), kept);
+  EXPECT_EQ(read("cmake.calls"),
+            "--preset release -DSPHEROCYLINDER_BENCHMARKS=ON\n"
+            "--build --preset release --target lmp spherocylinder place_rods\n");
+
+  // 0.25 s for 20000 rods and 500 steps are 0.025 us.
+  const std::string csv = read("build/bench/results/speed.csv");
+  EXPECT_EQ(csv.rfind("# machine: ", 0), 0u) << csv;
+  EXPECT_NE(csv.find("\nscene,lambda,rods,ranks,steps,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\ngas,30,20000,1,500,plugin,0.025,"), std::string::npos) << csv;
+  EXPECT_NE(read("gnuplot.calls").find("out='" + path("build/bench/results/speed") + "'"),
+            std::string::npos);
+
+  // Again: the row is there. Anew: timed again, and there once.
+  ASSERT_EQ(time_gas(""), 0) << read("error.txt");
+  EXPECT_EQ(read("calls"), "in.start_gas 30 20000\nin.time_plugin 30 20000\n");
+  ASSERT_EQ(time_gas("--fresh"), 0) << read("error.txt");
+  EXPECT_EQ(read("calls"),
+            "in.start_gas 30 20000\nin.time_plugin 30 20000\nin.time_plugin 30 20000\n");
+  const std::string again = read("build/bench/results/speed.csv");
+  EXPECT_EQ(again.find("gas,30,20000"), again.rfind("gas,30,20000")) << again;
+}
+
+// A fresh clone has a kept table: no reason to time nothing, and not to be mixed with.
+TEST_F(Bench, TablesOfOtherMachines)
+{
+  EXPECT_EQ(time_gas("--out bench/results"), 2);
+  EXPECT_NE(read("error.txt").find("bench/run: the first line of " +
+                                   path("bench/results/speed.csv") + " is not '# machine: "),
+            std::string::npos)
+      << read("error.txt");
+  EXPECT_FALSE(fs::exists(folder() / "calls"));
+}
+
+}  // namespace
+}  // namespace spherocylinder
