@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How the plug-in enters a stock LIGGGHTS. libliggghts calls its own exported functions through
 // its procedure linkage table, so that a library found earlier in symbol look-up (this one, linked
-// before it or named in LD_PRELOAD) stands in front of them. Three functions are enough:
+// before it or named in LD_PRELOAD) stands in front of them. Five functions are enough:
 //   LAMMPS::post_create  runs after construction and after the `clear` command
 //   Atom::new_avec       is asked for every atom style
+//   Input::execute_command, LAMMPS::init  where rods meet what LIGGGHTS offers: refused styles end here
 //   Finish::end          prints the statistics after a run
 // All call the original and add to it.
 #include <dlfcn.h>
@@ -15,7 +16,9 @@
 #include "atom.h"
 #include "error.h"
 #include "finish.h"
+#include "host_checks.h"
 #include "host_version.h"
+#include "input.h"
 #include "lammps.h"
 #include "style_table.h"
 #include "styles/rod_pair_report.h"
@@ -91,6 +94,26 @@ EXPORT AtomVec *Atom::new_avec(const char *style, char *suffix, int &sflag)
     return ours;
   }
   return original(this, style, suffix, sflag);
+}
+
+EXPORT int Input::execute_command()
+{
+  using ExecuteCommand = int (*)(Input *);
+  static const auto original =
+      next_symbol<ExecuteCommand>("_ZN9LAMMPS_NS5Input15execute_commandEv");
+  LAMMPS *const lammps = lmp;
+  spherocylinder::check_command_before(lammps, command, narg, arg);
+  const int unknown = original(this);
+  spherocylinder::check_command_after(lammps);
+  return unknown;
+}
+
+EXPORT void LAMMPS::init()
+{
+  using Init = void (*)(LAMMPS *);
+  static const auto original = next_symbol<Init>("_ZN9LAMMPS_NS6LAMMPS4initEv");
+  spherocylinder::check_styles_at_run_start(this);
+  original(this);
 }
 
 // `run ... post no` asks for the loop time alone, flag 0.

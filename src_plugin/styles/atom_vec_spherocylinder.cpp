@@ -78,9 +78,7 @@ void AtomVecSpherocylinder::init()
   check_atom_style_is_alone(lmp);
   check_rods_after_set(lmp, *this);
   images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, true);
-  check_templates_make_rods(lmp);
   check_contact_styles_know_rods(lmp);
-  check_computes_know_rods(lmp);
   check_each_rod_is_integrated_once(lmp);
 }
 

@@ -13,7 +13,6 @@
 #include "atom.h"
 #include "atom_vec_spherocylinder.h"
 #include "comm.h"
-#include "compute.h"
 #include "core/mass_properties.h"
 #include "domain.h"
 #include "error.h"
@@ -219,19 +218,6 @@ void LAMMPS_NS::check_pairs_touch_once(LAMMPS *lmp)
                   lmp->update->ntimestep, twice[0], twice[1]);
 }
 
-void LAMMPS_NS::check_templates_make_rods(LAMMPS *lmp)
-{
-  for (int i = 0; i < lmp->modify->nfix; i++) {
-    const Fix *fix = lmp->modify->fix[i];
-    if (strncmp(fix->style, "particletemplate/", 17) == 0 &&
-        strcmp(fix->style, "particletemplate/spherocylinder") != 0)
-      rod_error_all(lmp,
-                    "Fix %s (id %s) cannot insert into atom_style spherocylinder: use "
-                    "particletemplate/spherocylinder (a sphere is a rod with length = diameter)",
-                    fix->style, fix->id);
-  }
-}
-
 void LAMMPS_NS::check_contact_styles_know_rods(LAMMPS *lmp)
 {
   if (!is_running(lmp)) return;
@@ -257,18 +243,6 @@ void LAMMPS_NS::check_contact_styles_know_rods(LAMMPS *lmp)
                     "Fix %s (id %s): with atom_style spherocylinder it must be given surface "
                     "spherocylinder (without it rods would touch as their bounding spheres)",
                     fix->style, fix->id);
-  }
-}
-
-void LAMMPS_NS::check_computes_know_rods(LAMMPS *lmp)
-{
-  for (int i = 0; i < lmp->modify->ncompute; i++) {
-    const Compute *compute = lmp->modify->compute[i];
-    if (strcmp(compute->style, "contact/atom") == 0)
-      rod_error_all(lmp,
-                    "Compute contact/atom (id %s) would count the rods' bounding spheres (expected "
-                    "contact/spherocylinder)",
-                    compute->id);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What must hold before a run with rods, checked at each run's start. Each failure is one sentence
-// that says who, what, the value seen and the value wanted.
+// that says who, what, the value seen and the value wanted. Styles of LIGGGHTS that do not know rods:
+// loader/host_styles.h.
 #pragma once
 
 #include <vector>
@@ -38,12 +39,8 @@ bool check_rods_fit_periodic_box(LAMMPS *lmp, bool warn);
 // their rods.
 void check_pairs_touch_once(LAMMPS *lmp);
 
-void check_templates_make_rods(LAMMPS *lmp);
-
 // Without our surface model the stock pair and wall would use the rods' bounding spheres.
 void check_contact_styles_know_rods(LAMMPS *lmp);
-
-void check_computes_know_rods(LAMMPS *lmp);
 
 void check_each_rod_is_integrated_once(LAMMPS *lmp);
 

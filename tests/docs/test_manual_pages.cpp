@@ -42,7 +42,8 @@ std::vector<ManualPage> style_pages()
 {
   std::vector<ManualPage> pages;
   for (const ManualPage &page : read_manual())
-    if (page.name != "README" && !is_of_a_tool(page)) pages.push_back(page);
+    if (page.name != "README" && page.name != "with_liggghts" && !is_of_a_tool(page))
+      pages.push_back(page);
   return pages;
 }
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "host_checks.h"
+
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "compute.h"
+#include "domain.h"
+#include "dump.h"
+#include "fix.h"
+#include "force.h"
+#include "host_styles.h"
+#include "lammps.h"
+#include "modify.h"
+#include "output.h"
+#include "region.h"
+#include "styles/atom_vec_spherocylinder.h"
+#include "styles/rod_checks.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+namespace spherocylinder {
+
+namespace {
+
+bool has_rods(const LAMMPS *lmp) { return dynamic_cast<AtomVecSpherocylinder *>(lmp->atom->avec); }
+
+bool is(const char *a, const char *b) { return strcmp(a, b) == 0; }
+
+// `who` as the deck's writer knows it: "Fix move (id m)".
+void check(LAMMPS *lmp, HostKind kind, const char *name, const std::string &who)
+{
+  const HostStyle *row = name ? find_host_style(kind, name) : nullptr;
+  if (row && row->verdict == Verdict::Refused)
+    rod_error_all(lmp, "%s with atom_style spherocylinder: %s", who.c_str(), row->sentence);
+}
+
+void check(LAMMPS *lmp, HostKind kind, const char *name)
+{
+  if (name) check(lmp, kind, name, std::string(word_for(kind)) + " " + name);
+}
+
+void check_with_id(LAMMPS *lmp, HostKind kind, const char *name, const char *id)
+{
+  check(lmp, kind, name, std::string(word_for(kind)) + " " + name + " (id " + id + ")");
+}
+
+void check_box(LAMMPS *lmp)
+{
+  if (lmp->domain->triclinic) check(lmp, HostKind::Box, "triclinic");
+  if (lmp->domain->dimension == 2) check(lmp, HostKind::Box, "dimension 2");
+}
+
+// A region of the style prism makes a triclinic box.
+void check_create_box(LAMMPS *lmp, const char *region_id)
+{
+  const int found = lmp->domain->find_region(const_cast<char *>(region_id));
+  if (found >= 0 && is(lmp->domain->regions[found]->style, "prism"))
+    check(lmp, HostKind::Box, "triclinic");
+}
+
+void check_change_box(LAMMPS *lmp, int narg, char **arg)
+{
+  for (int k = 1; k < narg; k++)
+    if (is(arg[k], "triclinic") || is(arg[k], "xy") || is(arg[k], "xz") || is(arg[k], "yz"))
+      check(lmp, HostKind::Box, "triclinic");
+}
+
+void check_atom_style(LAMMPS *lmp, int narg, char **arg)
+{
+  if (narg < 1 || !is(arg[0], "hybrid")) return;
+  for (int k = 1; k < narg; k++)
+    if (is(arg[k], "spherocylinder")) check(lmp, HostKind::AtomStyle, "hybrid");
+}
+
+// mesh/surface/stress/servo: the modules are named after the style.
+void check_mesh_modules(LAMMPS *lmp, const char *style)
+{
+  const std::string prefix = "mesh/surface/";
+  std::string rest = style;
+  if (rest.compare(0, prefix.size(), prefix) != 0) return;
+  rest.erase(0, prefix.size());
+  while (!rest.empty()) {
+    const std::string module = rest.substr(0, rest.find('/'));
+    check(lmp, HostKind::MeshModule, module.c_str());
+    rest.erase(0, module.size() + 1);
+  }
+}
+
+void check_fix(LAMMPS *lmp, const char *style, const char *id)
+{
+  check_with_id(lmp, HostKind::Fix, style, id);
+  check_mesh_modules(lmp, style);
+}
+
+// The style that a command's words name.
+void check_words(LAMMPS *lmp, const char *command, int narg, char **arg)
+{
+  if (is(command, "fix") && narg > 2)
+    check_fix(lmp, arg[2], arg[0]);
+  else if (is(command, "compute") && narg > 2)
+    check_with_id(lmp, HostKind::Compute, arg[2], arg[0]);
+  else if (is(command, "dump") && narg > 2)
+    check_with_id(lmp, HostKind::Dump, arg[2], arg[0]);
+  else if (is(command, "write_dump") && narg > 1)
+    check(lmp, HostKind::Dump, arg[1]);
+  else if (is(command, "pair_style") && narg > 0)
+    check(lmp, HostKind::Pair, arg[0]);
+  else if (is(command, "run_style") && narg > 0)
+    check(lmp, HostKind::Integrate, arg[0]);
+  else if (is(command, "units") && narg > 0)
+    check(lmp, HostKind::Units, arg[0]);
+  else if (is(command, "create_box") && narg > 1)
+    check_create_box(lmp, arg[1]);
+  else if (is(command, "change_box"))
+    check_change_box(lmp, narg, arg);
+}
+
+}  // namespace
+
+void check_command_before(LAMMPS *lmp, const char *command, int narg, char **arg)
+{
+  if (is(command, "atom_style")) check_atom_style(lmp, narg, arg);
+  if (!has_rods(lmp)) return;
+  check(lmp, HostKind::BuiltIn, command);
+  check(lmp, HostKind::Command, command);
+  check_words(lmp, command, narg, arg);
+}
+
+void check_command_after(LAMMPS *lmp)
+{
+  if (has_rods(lmp)) check_box(lmp);
+}
+
+void check_styles_at_run_start(LAMMPS *lmp)
+{
+  if (!has_rods(lmp)) return;
+  check_box(lmp);
+  check(lmp, HostKind::Units, lmp->update->unit_style);
+  check(lmp, HostKind::Integrate, lmp->update->integrate_style);
+  check(lmp, HostKind::Pair, lmp->force->pair_style);
+  for (int i = 0; i < lmp->modify->nfix; i++)
+    check_fix(lmp, lmp->modify->fix[i]->style, lmp->modify->fix[i]->id);
+  for (int i = 0; i < lmp->modify->ncompute; i++) {
+    const Compute *compute = lmp->modify->compute[i];
+    check_with_id(lmp, HostKind::Compute, compute->style, compute->id);
+  }
+  for (int i = 0; i < lmp->output->ndump; i++) {
+    const Dump *dump = lmp->output->dump[i];
+    check_with_id(lmp, HostKind::Dump, dump->style, dump->id);
+  }
+}
+
+}  // namespace spherocylinder

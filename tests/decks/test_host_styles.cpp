@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The table of LIGGGHTS's styles: each that it refuses ends a deck with rods by the table's own sentence,
+// and the manual page is the table. That the table names every style there is: test_host_names.cpp.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "deck_run.h"
+#include "loader/host_styles.h"
+#include "loader/host_styles_page.h"
+
+using namespace decks;
+using spherocylinder::HostKind;
+using spherocylinder::HostStyle;
+using spherocylinder::Verdict;
+
+namespace spherocylinder {
+
+void PrintTo(const HostStyle &row, std::ostream *out) { *out << word_for(row.kind) << " " << row.name; }
+
+}  // namespace spherocylinder
+
+namespace {
+
+const char *const kData = R"(two rods
+
+2 atoms
+1 atom types
+-0.5 0.5 xlo xhi
+-0.5 0.5 ylo yhi
+-0.5 0.5 zlo zhi
+
+Atoms
+
+1 1 0.01 0.1 2700 0 0 0.2 1 0 0
+2 1 0.01 0.1 2700 0 0.1 0.2 0 0.6 0.8
+)";
+
+const char *const kBefore = R"(atom_style spherocylinder
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+units si
+)";
+
+const char *const kAfter = R"(neighbor 0.02 bin
+neigh_modify delay 0
+fix kn all property/global kn peratomtypepair 1 1e5
+fix kt all property/global kt peratomtypepair 1 1e5
+fix rest all property/global coefficientRestitution peratomtypepair 1 0.5
+fix fric all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model linear tangential history surface spherocylinder
+pair_coeff * *
+fix motion all nve/spherocylinder
+timestep 1e-5
+)";
+
+Outcome run_deck(const std::string &deck, int ranks = 1)
+{
+  const DeckFolder folder;
+  folder.write("in.deck", deck);
+  folder.write("rods.data", kData);
+  Launch launch;
+  launch.ranks = ranks;
+  return folder.run("in.deck", launch);
+}
+
+void expect_refused(const Outcome &outcome, const std::string &sentence)
+{
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_LT(outcome.exit_code, 128) << "ended by a signal\n" << outcome.output;
+  EXPECT_NE(outcome.output.find("ERROR: " + sentence), std::string::npos)
+      << "wanted: " << sentence << "\ngot: " << outcome.output;
+}
+
+std::string good_deck() { return std::string(kBefore) + "read_data rods.data\n" + kAfter; }
+
+// What the deck's writer reads: who, and the table's sentence.
+std::string sentence_of(const HostStyle &row, const std::string &id = "")
+{
+  return std::string(word_for(row.kind)) + " " + row.name + (id.empty() ? "" : " (id " + id + ")") +
+         " with atom_style spherocylinder: " + row.sentence;
+}
+
+std::vector<HostStyle> refused(HostKind kind)
+{
+  std::vector<HostStyle> rows;
+  for (const HostStyle &row : spherocylinder::host_styles())
+    if (row.kind == kind && row.verdict == Verdict::Refused) rows.push_back(row);
+  return rows;
+}
+
+std::vector<HostStyle> refused(const std::vector<HostKind> &kinds)
+{
+  std::vector<HostStyle> rows;
+  for (const HostKind kind : kinds)
+    for (const HostStyle &row : refused(kind)) rows.push_back(row);
+  return rows;
+}
+
+// The line of a deck that asks for the style.
+std::string asked_by(const HostStyle &row)
+{
+  const std::string name = row.name;
+  switch (row.kind) {
+    case HostKind::Fix: return "fix asked all " + name;
+    case HostKind::Compute: return "compute asked all " + name;
+    case HostKind::Dump: return "dump asked all " + name + " 1 file.*";
+    case HostKind::Pair: return "pair_style " + name;
+    case HostKind::Integrate: return "run_style " + name;
+    case HostKind::MeshModule: return "fix asked all mesh/surface/" + name + " file none type 1";
+    default: return name;  // a command
+  }
+}
+
+bool has_id(HostKind kind)
+{
+  return kind == HostKind::Fix || kind == HostKind::Compute || kind == HostKind::Dump;
+}
+
+class RefusedStyle : public testing::TestWithParam<HostStyle> {};
+
+TEST_P(RefusedStyle, EndsWithItsSentence)
+{
+  const HostStyle &row = GetParam();
+  const Outcome outcome = run_deck(good_deck() + asked_by(row) + "\nrun 1\n");
+  expect_refused(outcome, sentence_of(row, has_id(row.kind) ? "asked" : ""));
+  EXPECT_EQ(outcome.output.find("Loop time"), std::string::npos) << "it ran";
+}
+
+std::string test_name(const testing::TestParamInfo<HostStyle> &info)
+{
+  std::string name = std::string(word_for(info.param.kind)) + "_" + info.param.name;
+  for (char &c : name)
+    if (!isalnum(c)) c = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(, RefusedStyle,
+                         testing::ValuesIn(refused({HostKind::Fix, HostKind::Compute,
+                                                    HostKind::Command, HostKind::BuiltIn,
+                                                    HostKind::Dump, HostKind::Pair,
+                                                    HostKind::Integrate, HostKind::MeshModule})),
+                         test_name);
+
+// Also where the atom style comes after it.
+TEST(RefusedUnits, EndWithTheirSentence)
+{
+  for (const HostStyle &row : refused(HostKind::Units)) {
+    std::string deck = good_deck() + "run 1\n";
+    deck.replace(deck.find("units si\n"), 9, "");
+    expect_refused(run_deck(std::string("units ") + row.name + "\n" + deck), sentence_of(row));
+    expect_refused(run_deck(std::string(kBefore) + "units " + row.name + "\n"), sentence_of(row));
+  }
+}
+
+TEST(RefusedAtomStyle, Hybrid)
+{
+  expect_refused(run_deck("atom_style hybrid sphere spherocylinder\n"),
+                 sentence_of(*spherocylinder::find_host_style(HostKind::AtomStyle, "hybrid")));
+}
+
+// On every number of ranks: contacts would be missed, or the run would hang.
+class RefusedTriclinic : public testing::TestWithParam<int> {};
+
+TEST_P(RefusedTriclinic, InEveryWayToMakeIt)
+{
+  const std::string sentence =
+      sentence_of(*spherocylinder::find_host_style(HostKind::Box, "triclinic"));
+  const std::string prism = "region box prism -0.5 0.5 -0.5 0.5 -0.5 0.5 0.0 0.0 0.0 units box\n";
+  expect_refused(run_deck(std::string(kBefore) + prism + "create_box 1 box\n" + kAfter + "run 1\n",
+                          GetParam()),
+                 sentence);
+  expect_refused(run_deck(good_deck() + "change_box all triclinic\nrun 1\n", GetParam()), sentence);
+  expect_refused(run_deck(good_deck() + "change_box all xy final 0.1\nrun 1\n", GetParam()), sentence);
+
+  const DeckFolder folder;
+  std::string tilted = kData;
+  tilted.replace(tilted.find("\nAtoms"), 0, "0.0 0.0 0.0 xy xz yz\n");
+  folder.write("rods.data", tilted);
+  folder.write("in.deck", good_deck() + "run 1\n");
+  Launch launch;
+  launch.ranks = GetParam();
+  expect_refused(folder.run("in.deck", launch), sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(OnRanks, RefusedTriclinic, testing::Values(1, 2, 4));
+
+TEST(RefusedBox, Dimension2)
+{
+  const std::string sentence =
+      sentence_of(*spherocylinder::find_host_style(HostKind::Box, "dimension 2"));
+  expect_refused(run_deck("dimension 2\natom_style spherocylinder\n"),
+                 "Atom style spherocylinder requires a 3d simulation (dimension 3)");
+  expect_refused(run_deck(std::string(kBefore) + "dimension 2\nread_data rods.data\n"), sentence);
+}
+
+// Another atom style is LIGGGHTS's own affair.
+TEST(HostStyles, AreAllThereWithoutRods)
+{
+  const Outcome outcome = run_deck(R"(atom_style sphere
+units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+atom_modify sort 0 0
+create_atoms 1 single 0.5 0.5 0.5 units box
+set atom 1 density 1000 diameter 0.1
+pair_style none
+fix motion all nve/sphere
+compute spin all erotate/sphere
+run 1
+)");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
+TEST(HostStyles, ManualPageIsPrintedFromTheTable)
+{
+  std::ifstream in(HOST_STYLES_PAGE);
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_EQ(page, spherocylinder::host_styles_page())
+      << "print it anew: the command stands at the page's end";
+}
+
+// Each refusal says what to do instead, and nothing is listed twice.
+TEST(HostStyles, RowsAreWhole)
+{
+  for (const HostStyle &row : spherocylinder::host_styles()) {
+    EXPECT_EQ(spherocylinder::find_host_style(row.kind, row.name)->sentence, row.sentence)
+        << word_for(row.kind) << " " << row.name << " is listed twice";
+    const std::string sentence = row.sentence;
+    const bool says_what_instead = sentence.find("; ") != std::string::npos;
+    EXPECT_TRUE(row.verdict != Verdict::Refused || says_what_instead)
+        << word_for(row.kind) << " " << row.name << ": " << sentence;
+    EXPECT_TRUE(row.verdict != Verdict::Different || !sentence.empty()) << row.name;
+  }
+}
+
+}  // namespace
