@@ -104,14 +104,14 @@ std::vector<WallBin> by_wall(const std::vector<Rod> &rods, double width,
 }
 
 // Of all particles, spheres too. V_f is proportional to the contacts counted.
-MeasuredFraction measured_fraction(const Bed &bed, const OrientationOptions &options,
-                                   double random_contact)
+MeasuredFraction measured_fraction(const Bed &bed, const OrientationOptions &options, double lambda,
+                                   double sin_gamma)
 {
   const UprightCylinder whole = vessel_up_to(*options.vessel, bed_height(bed.rods).highest_centre);
   need_height(bed, whole);
   const double inner = solid_fraction(bed.rods, inner_half(whole), packing_tolerance).fraction;
   return {total_volume(bed.rods) / volume(whole), inner,
-          inner / random_contact * options.half_contacts};
+          inner / random_contact_fraction(lambda, sin_gamma, 1.0)};
 }
 
 void measure_near_pairs(const Bed &bed, const std::vector<Rod> &rods, double near,
@@ -208,7 +208,7 @@ BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options)
   found.random_contact_isotropic =
       random_contact_fraction(found.lambda, isotropic_sin_gamma, options.half_contacts);
   if (has_side(options.vessel))
-    found.measured = measured_fraction(bed, options, found.order.random_contact.mean);
+    found.measured = measured_fraction(bed, options, found.lambda, found.order.sin_gamma.mean);
   if (!options.vessel) return found;
   if (!options.wall_width)
     options.wall_width =

@@ -80,4 +80,15 @@ RodQuantity rod_quantity(const DumpFrame &frame, const std::vector<Rod> &rods,
   return quantity;
 }
 
+void set_range_of_most(RodQuantity &quantity)
+{
+  constexpr std::size_t left_out = 10;  // one of so many at either end
+  if (quantity.values.empty()) return;
+  std::vector<double> sorted = quantity.values;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t beyond = sorted.size() / left_out;
+  quantity.low = sorted[beyond];
+  quantity.high = sorted[sorted.size() - 1 - beyond];
+}
+
 }  // namespace spherocylinder

@@ -22,6 +22,9 @@ struct RodQuantity {
 RodQuantity rod_quantity(const DumpFrame &frame, const std::vector<Rod> &rods,
                          const std::string &name);
 
+// Sets the range to the values' own but for the lowest and the highest tenth of them.
+void set_range_of_most(RodQuantity &quantity);
+
 // Magnitude of the vector in three columns, row by row; empty if one is missing.
 std::vector<double> magnitudes(const DumpFrame &frame, const char *x, const char *y, const char *z);
 

@@ -80,15 +80,15 @@ void add_theory(Panel &panel)
     Colour colour;
     Dash dash;
   };
-  const double e = std::exp(1.0);
   const Line lines[] = {
-      {"Parkhouse & Kelly", parkhouse_kelly_fraction, e, okabe_ito::black, Dash::solid},
+      {"Parkhouse & Kelly", parkhouse_kelly_fraction, parkhouse_kelly_from,
+       okabe_ito::black, Dash::solid},
       {"random, horizontal",
-       [](double x) { return random_contact_fraction(x, horizontal_sin_gamma); }, 5.0,
-       okabe_ito::green, Dash::dashed},
+       [](double x) { return random_contact_fraction(x, horizontal_sin_gamma); },
+       random_contacts_from, okabe_ito::green, Dash::dashed},
       {"random, isotropic",
-       [](double x) { return random_contact_fraction(x, isotropic_sin_gamma); }, 5.0,
-       okabe_ito::purple, Dash::dash_dotted}};
+       [](double x) { return random_contact_fraction(x, isotropic_sin_gamma); },
+       random_contacts_from, okabe_ito::purple, Dash::dash_dotted}};
   for (const Line &line : lines) {
     panel.curves.push_back(theory(line.fraction, line.from, panel.x, line.colour, line.dash));
     panel.labels.push_back({{panel.x.high, line.fraction(panel.x.high)}, 12, 0, line.text,
@@ -113,6 +113,12 @@ void spread_labels(Panel &panel, double height_of_panel)
     const double below = labels[i - 1].at.y * unit + labels[i - 1].shift_y;
     labels[i].shift_y = std::max(0.0, below + apart - labels[i].at.y * unit);
   }
+}
+
+// Random contacts for a bed's own <|sin gamma|>; NaN if there is none or the theory is not for it.
+double expected_fraction(const PackingMean &mean)
+{
+  return random_contact_fraction(mean.lambda, mean.sin_gamma.mean);
 }
 
 // Random contacts for the beds' own <|sin gamma|>, which is taken as linear in lambda between them.
@@ -140,7 +146,7 @@ void add_beds(Panel &panel, const std::vector<PackingMean> &means, const Names &
     for (const PackingMean &mean : means)
       if (mean.group == groups[i]) beds.push_back(mean);
     std::copy_if(beds.begin(), beds.end(), std::back_inserter(with_axes),
-                 [](const PackingMean &mean) { return !std::isnan(mean.sin_gamma.mean); });
+                 [](const PackingMean &mean) { return !std::isnan(expected_fraction(mean)); });
 
     Series measured{{}, own_symbol(i)}, expected{{}, own_symbol(i)};
     expected.symbol.marker = Marker::bar;
@@ -148,7 +154,7 @@ void add_beds(Panel &panel, const std::vector<PackingMean> &means, const Names &
       measured.points.push_back({mean.lambda, mean.vf.mean, mean.vf.error});
     for (const PackingMean &mean : with_axes)
       expected.points.push_back(
-          {mean.lambda, random_contact_fraction(mean.lambda, mean.sin_gamma.mean), 0.0});
+          {mean.lambda, expected_fraction(mean), 0.0});
     if (with_axes.size() > 1)
       panel.curves.push_back(expected_curve(with_axes, own_symbol(i).colour));
     panel.series.push_back(expected);
@@ -228,8 +234,8 @@ Figure packing_figure(const std::vector<PackingMean> &means,
   for (const PackingMean &mean : means) {
     longest = std::max(longest, mean.lambda);
     densest = std::max(densest, upper_end(mean.vf));
-    if (!std::isnan(mean.sin_gamma.mean))
-      densest = std::max(densest, random_contact_fraction(mean.lambda, mean.sin_gamma.mean));
+    if (!std::isnan(expected_fraction(mean)))
+      densest = std::max(densest, expected_fraction(mean));
   }
   Figure figure;
   figure.right_margin = 245;

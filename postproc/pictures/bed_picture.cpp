@@ -224,13 +224,18 @@ double aim_camera(vtkRenderer *renderer, const ViewFrame &frame, const Extent &e
 }
 
 // What stands beside the colours.
-PictureWords words_of(const PictureOptions &options, const std::string &title,
+PictureWords words_of(const PictureOptions &options, const RodQuantity &colour,
                       const RoundRange &range)
 {
-  PictureWords words{options.caption, broken_into_lines(title), {}};
+  PictureWords words{options.caption, broken_into_lines(colour.title), {}, false, false};
   for (int i = 0; options.colour_bar && i < range.labels; ++i)
     words.labels.push_back(fmt::format(
         "{:.3g}", range.low + i * (range.high - range.low) / (range.labels - 1)));
+  const double crumb = 1e-9 * (range.high - range.low);
+  for (const double value : colour.values) {
+    words.below = words.below || value < range.low - crumb;
+    words.above = words.above || value > range.high + crumb;
+  }
   return words;
 }
 
@@ -253,7 +258,7 @@ void add_annotation(vtkRenderer *renderer, const PictureOptions &options,
   add_text(words.title, at.bar_left, at.title_y, TextAt::foot);
   const double step = at.bar_height / static_cast<double>(words.labels.size() - 1);
   for (std::size_t i = 0; i < words.labels.size(); ++i)
-    add_text(words.labels[i], at.bar_left + at.bar_width + at.label_gap,
+    add_text(words.label(i), at.bar_left + at.bar_width + at.label_gap,
              at.bar_bottom + static_cast<double>(i) * step, TextAt::middle);
 }
 
@@ -265,7 +270,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
                        const RodQuantity &colour, const PictureOptions &options)
 {
   const RoundRange range = round_range(colour.low, colour.high);
-  const PictureWords words = words_of(options, colour.title, range);
+  const PictureWords words = words_of(options, colour, range);
   const PictureLayout layout = lay_out(options.width, options.height, options.font_size, words);
   const ViewFrame frame = frame_of(options.view);
   const Extent extent = extent_of(rods, options, frame);

@@ -20,6 +20,8 @@ constexpr double good_room = 0.7;
 constexpr int smallest_font = 6;
 constexpr int usual_smallest_font = 10;  // if there is room
 
+const std::string below_sign = "≤ ", above_sign = "≥ ";  // of the same width
+
 constexpr std::size_t usual_caption = 44;  // digits
 
 // All lengths grow with the letters.
@@ -40,7 +42,8 @@ PictureLayout with_letters(int width, int height, int font_size, const PictureWo
 
   const TextSize title = size_of_text(words.title, font_size);
   for (const std::string &label : words.labels)
-    at.labels_width = std::max<double>(at.labels_width, size_of_text(label, font_size).width);
+    at.labels_width =
+        std::max<double>(at.labels_width, size_of_text(above_sign + label, font_size).width);
   at.bar_width = 1.2 * letter;
   at.label_gap = 0.4 * letter;
   const double column =
@@ -74,6 +77,12 @@ int largest_font(int most, int width, int height, const PictureWords &words, dou
 }
 
 }  // namespace
+
+std::string PictureWords::label(std::size_t i) const
+{
+  if (below && i == 0) return below_sign + labels[i];
+  return above && i + 1 == labels.size() ? above_sign + labels[i] : labels[i];
+}
 
 std::string broken_into_lines(const std::string &text)
 {

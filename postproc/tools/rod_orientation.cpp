@@ -75,8 +75,11 @@ void print_table(const BedOrientation &b, const Options &options)
   fmt::print("step {}: {} rods\n", b.step, b.order.rods);
   print_order(b);
   print_line("V_f by random contacts", b.order.random_contact, b.random_contact_isotropic, 4,
-             fmt::format("lambda {:.4g}, {:.4g} contacts counted on each rod", b.lambda,
-                         half_contacts));
+             std::isnan(b.random_contact_isotropic)
+                 ? fmt::format("lambda {:.4g}: the equation is for slender rods, lambda >= {:g}",
+                               b.lambda, random_contacts_from)
+                 : fmt::format("lambda {:.4g}, {:.4g} contacts counted on each rod", b.lambda,
+                               half_contacts));
   if (b.measured)
     fmt::print(
         "    as measured          {:8.4f}           inner cylinder ({:.4f} whole vessel): {} "

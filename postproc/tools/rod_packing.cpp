@@ -37,18 +37,37 @@ void print_region(const char *name, const RegionPacking &region, double whole_vo
              region.volume / whole_volume);
 }
 
+// NaN: that there is no such value, and for what text why.
+void print_theory_row(const char *name, double value, const std::string &text)
+{
+  const std::string number = std::isnan(value) ? "none" : fmt::format("{:.4f}", value);
+  fmt::print("  {:<22} {:>8}             {}\n", name, number, text);
+}
+
 void print_theory(const BedPacking &p)
 {
   const double lambda = p.lambda.mean;
-  fmt::print("  Parkhouse & Kelly      {:8.4f}             2 ln(lambda)/lambda\n",
-             parkhouse_kelly_fraction(lambda));
-  fmt::print("  random contacts        {:8.4f}             isotropic\n",
-             random_contact_fraction(lambda, isotropic_sin_gamma));
-  fmt::print("                         {:8.4f}             horizontal\n",
-             random_contact_fraction(lambda, horizontal_sin_gamma));
-  if (!std::isnan(p.mean_sin_gamma))
-    fmt::print("                         {:8.4f}             as measured, <|sin gamma|> = {:.4f}\n",
-               random_contact_fraction(lambda, p.mean_sin_gamma), p.mean_sin_gamma);
+  const double slender = parkhouse_kelly_fraction(lambda);
+  print_theory_row("Parkhouse & Kelly", slender,
+                   std::isnan(slender)
+                       ? fmt::format("2 ln(lambda)/lambda is for slender rods, lambda >= {:.3g}",
+                                     parkhouse_kelly_from)
+                       : "2 ln(lambda)/lambda");
+  const double isotropic = random_contact_fraction(lambda, isotropic_sin_gamma);
+  if (std::isnan(isotropic)) {
+    print_theory_row("random contacts", isotropic,
+                     fmt::format("the equation is for slender rods, lambda >= {:g}",
+                                 random_contacts_from));
+    return;
+  }
+  print_theory_row("random contacts", isotropic, "isotropic");
+  print_theory_row("", random_contact_fraction(lambda, horizontal_sin_gamma), "horizontal");
+  if (std::isnan(p.mean_sin_gamma)) return;
+  const double measured = random_contact_fraction(lambda, p.mean_sin_gamma);
+  std::string text = fmt::format("as measured, <|sin gamma|> = {:.4f}", p.mean_sin_gamma);
+  if (std::isnan(measured))
+    text += fmt::format(": parallel, above the densest packing, {:.4f}", densest_fraction(lambda));
+  print_theory_row("", measured, text);
 }
 
 void print_table(const BedPacking &p)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // rod_plot: the study's plots from the CSV files of rod_packing and rod_orientation.
 // docs/rod_plot.md
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -61,6 +62,13 @@ void plot_packing(const Options &options, char **argv)
     fmt::print("{:>12} {:8.4g} {:5} {:>10} {:>8} {:>16}\n", mean.group, mean.lambda, mean.beds,
                number(mean.vf.mean), number(mean.vf.error),
                number(random_contact_fraction(mean.lambda, mean.sin_gamma.mean)));
+  const auto has_axes_only = [](const PackingMean &mean) {
+    return !std::isnan(mean.sin_gamma.mean) &&
+           std::isnan(random_contact_fraction(mean.lambda, mean.sin_gamma.mean));
+  };
+  if (std::any_of(means.begin(), means.end(), has_axes_only))
+    fmt::print("random contacts: for slender rods, lambda >= {:g}, that are not nearly parallel\n",
+               random_contacts_from);
   for (const std::string &sentence : left_out) fmt::print("left out: {}\n", sentence);
 }
 

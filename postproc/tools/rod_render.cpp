@@ -40,6 +40,7 @@ struct Options {
   double rate = 10.0;
   std::string colour = "elevation";
   std::vector<double> range;
+  bool auto_range = false;
   std::string view = "oblique";
   std::string background = "white";
   int resolution = 16;
@@ -194,7 +195,8 @@ void check(const Options &options, const std::optional<Vessel> &vessel, bool sev
   if (several && !(vessel && options.top))
     throw InputError(
         "--frame all: needs --vessel-radius and --top, so that all pictures show the same part");
-  if (several && options.range.empty() && options.colour != "elevation")
+  const bool fixed_range = !options.range.empty() || options.colour == "elevation";
+  if (several && (!fixed_range || options.auto_range))
     throw InputError(fmt::format(
         "--frame all: needs --range, so that colours by '{}' mean the same in all pictures",
         options.colour));
@@ -244,6 +246,7 @@ void run(const Options &options, char **argv)
       colour.high = options.range[1];
     }
     const std::vector<Rod> part = shown_part(frame, rods, colour, vessel, options);
+    if (options.auto_range) set_range_of_most(colour);
     if (part.empty() && !options.top)
       throw InputError(fmt::format("{}: step {}: --cut leaves none of its {} rods", frame.path,
                                    frame.step, rods.size()));
@@ -291,6 +294,9 @@ int main(int argc, char **argv)
   app.add_option("--range", options.range, "LOW HIGH ends of the colour map")
       ->expected(2)
       ->check(finite_number());
+  app.add_flag("--auto-range", options.auto_range,
+               "ends of the colour map that leave out the lowest and the highest tenth of the values shown")
+      ->excludes("--range");
   add_vessel_options(app, options.vessel);
   app.add_option("--vessel-height", options.vessel_height,
                  "height of the vessel (m); only the part with rods in it is drawn")

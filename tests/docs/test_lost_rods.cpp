@@ -50,7 +50,8 @@ std::vector<std::vector<std::string>> commands_of(const std::string &text, const
       words.pop_back();
       continue;
     }
-    const auto included = words[0] == "include" && words.size() > 1 ? files.find(words[1]) : files.end();
+    const bool includes = words[0] == "include" && words.size() > 1;
+    const auto included = includes ? files.find(words[1]) : files.end();
     if (included == files.end()) {
       commands.push_back(words);
     } else {

@@ -423,7 +423,18 @@ TEST_F(DumpReaderTest, Quantities)
   // The test bed's velocities are (w, 0, -w), w = 0.01 (id mod 7).
   const RodQuantity speed = rod_quantity(frame, found, "speed");
   EXPECT_NEAR(speed.high, 0.06 * std::sqrt(2.0), 1e-6);
-  EXPECT_EQ(rod_quantity(frame, found, "id").values[4], 5.0);
+  RodQuantity id = rod_quantity(frame, found, "id");
+  EXPECT_EQ(id.values[4], 5.0);
+  // Of 1 to 20 in any order the two lowest and the two highest are left out.
+  id.values.clear();
+  for (int i = 0; i < 20; ++i) id.values.push_back(1 + (7 * i) % 20);
+  set_range_of_most(id);
+  EXPECT_EQ(id.low, 3.0);
+  EXPECT_EQ(id.high, 18.0);
+  id.values = {4.0};
+  set_range_of_most(id);
+  EXPECT_EQ(id.low, 4.0);
+  EXPECT_EQ(id.high, 4.0);
   EXPECT_THROW(rod_quantity(frame, found, "colour"), InputError);
 }
 

@@ -37,6 +37,44 @@ TEST(PackingTheory, RandomContact)
   EXPECT_NEAR(random_contact_fraction(10, isotropic_sin_gamma, 5.4), 0.436, 6e-4);
 }
 
+// pi/sqrt 18, the densest packing of spheres, pi/sqrt 12, that of parallel cylinders, between them
+// more the longer the rod.
+TEST(PackingTheory, DensestPacking)
+{
+  EXPECT_NEAR(densest_fraction(1), pi / std::sqrt(18.0), 1e-14);
+  EXPECT_NEAR(densest_fraction(1e9), pi / std::sqrt(12.0), 1e-9);
+  for (double lambda = 1; lambda < 100; lambda *= 1.1)
+    EXPECT_LT(densest_fraction(lambda), densest_fraction(1.1 * lambda));
+}
+
+// Nothing for short rods and nothing above the densest packing, for any ratio, direction and number
+// of contacts.
+TEST(PackingTheory, IsForSlenderRods)
+{
+  EXPECT_TRUE(std::isnan(parkhouse_kelly_fraction(2.7)));
+  EXPECT_NEAR(parkhouse_kelly_fraction(std::exp(1.0)), 2 / std::exp(1.0), 1e-14);
+  for (const double lambda : {1.0, 1.5, 2.0, 3.0, 4.99}) {
+    EXPECT_TRUE(std::isnan(random_contact_fraction(lambda, isotropic_sin_gamma)));
+    EXPECT_TRUE(std::isnan(random_contact_fraction(lambda, isotropic_sin_gamma, 2.0)));
+  }
+  // 10.5 (1 + 1/6) / (8 + 8 + 4/3), also of a dump with six digits.
+  EXPECT_NEAR(random_contact_fraction(5.0, isotropic_sin_gamma), 0.70673, 5e-6);
+  EXPECT_NEAR(random_contact_fraction(4.9999, isotropic_sin_gamma), 0.7067, 5e-5);
+  for (double lambda = 5.0; lambda < 200.0; lambda *= 1.07)
+    for (double sin_gamma = 0.0; sin_gamma <= 1.0; sin_gamma += 0.02)
+      for (const double half_contacts : {1.0, 5.25, 8.0}) {
+        const double x = lambda - 1.0;
+        const double equation = 2.0 * half_contacts * (x / 4.0 + 1.0 / 6.0) /
+                                (2.0 * sin_gamma / pi * x * x + 2.0 * x + 4.0 / 3.0);
+        const double found = random_contact_fraction(lambda, sin_gamma, half_contacts);
+        if (equation > densest_fraction(lambda)) {
+          EXPECT_TRUE(std::isnan(found)) << lambda << " " << sin_gamma;
+        } else {
+          EXPECT_NEAR(found, equation, 1e-14) << lambda << " " << sin_gamma;
+        }
+      }
+}
+
 TEST(PackingMeasures, InnerCylinderHoldsHalf)
 {
   const UprightCylinder whole = vessel_up_to({0.1, 0.2, 0.3, -1.0}, 0.5);

@@ -156,7 +156,9 @@ TEST(Font, SizeOfText)
 }
 
 const PictureWords words{"λ = 30,  700 rods,  step 500000", "elevation\n(deg)",
-                         {"0", "15", "30", "45", "60", "75", "90"}};
+                         {"0", "15", "30", "45", "60", "75", "90"},
+                         false,
+                         false};
 
 // Letters keep to the picture and to themselves, whatever its shape: nothing beyond the edges, the
 // colour bar's column beside the room for the rods, caption, scale bar and room above each other.
@@ -181,6 +183,25 @@ TEST(PictureLayout, NothingLiesOverAnother)
     EXPECT_GE(at.bottom, at.scale_label_y + letter);
   }
   EXPECT_EQ(lay_out(1200, 900, 0, words).font_size, 900 / 45);
+}
+
+// Values beyond an end of the colours are said, and nothing moves for it: the pictures of a film match.
+TEST(PictureLayout, ValuesBeyondTheEnds)
+{
+  PictureWords beyond = words;
+  EXPECT_EQ(beyond.label(0), "0");
+  beyond.below = beyond.above = true;
+  EXPECT_EQ(beyond.label(0), "≤ 0");
+  EXPECT_EQ(beyond.label(1), "15");
+  EXPECT_EQ(beyond.label(6), "≥ 90");
+  beyond.title = "x";  // narrower than the labels
+  PictureWords within = beyond;
+  within.below = within.above = false;
+  const PictureLayout at = lay_out(600, 400, 0, beyond);
+  EXPECT_EQ(at.right, lay_out(600, 400, 0, within).right);
+  EXPECT_LE(at.bar_left + at.bar_width + at.label_gap +
+                size_of_text(beyond.label(6), at.font_size).width,
+            600);
 }
 
 // Words shorter than the longest caption of a film leave the letters as they are.

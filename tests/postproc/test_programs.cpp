@@ -280,6 +280,54 @@ TEST_F(Programs, PackingOfAllFramesLeavesOutTheEmptyOne)
   EXPECT_EQ(csv_row(read("all.csv"))["step"], 500);
 }
 
+// Short rods: no theory, in the table, the CSV file and the figure's table; no number above 1.
+TEST_F(Programs, TheoryIsForSlenderRods)
+{
+  for (const double lambda : {1.5, 2.5, 4.0}) {
+    BedOptions options;
+    options.rods = 40;
+    options.length = lambda * options.diameter;
+    write("short.dump", dump_text(random_bed(options), 0));
+    ASSERT_EQ(run("rod_packing short.dump --vessel-radius 0.105 --csv short.csv"), 0) << error_;
+    EXPECT_NE(out_.find("  random contacts            none             the equation is for slender "
+                        "rods, lambda >= 5\n"),
+              std::string::npos)
+        << out_;
+    EXPECT_EQ(out_.find("2 ln(lambda)/lambda is for slender rods, lambda >= 2.72\n") !=
+                  std::string::npos,
+              lambda < 2.7)
+        << out_;
+    for (const std::string which : {"isotropic", "horizontal", "measured"})
+      EXPECT_TRUE(std::isnan(csv_row(read("short.csv"))["vf_random_contact_" + which])) << which;
+    ASSERT_EQ(run("rod_orientation short.dump --vessel-radius 0.105 --summary-csv o.csv"), 0);
+    EXPECT_NE(out_.find("the equation is for slender rods, lambda >= 5\n"), std::string::npos)
+        << out_;
+    EXPECT_TRUE(std::isnan(csv_row(read("o.csv"))["vf_random_contact"]));
+    EXPECT_TRUE(std::isnan(csv_row(read("o.csv"))["half_contacts_of_vf_inner"]));
+    if (lambda > 1.5 || !can_render()) continue;
+    ASSERT_EQ(run("rod_plot packing short.csv --out short.svg"), 0) << error_;
+    EXPECT_NE(out_.find("random contacts: for slender rods, lambda >= 5"), std::string::npos)
+        << out_;
+  }
+}
+
+// Parallel rods share little excluded volume: random contacts would fill more than all space.
+TEST_F(Programs, TheoryIsForRandomContacts)
+{
+  std::vector<Rod> rods;
+  for (int i = 0; i < 6; ++i)
+    rods.push_back({i + 1, 1, {{{0, 0, 0.05 + 0.02 * i}, {1, 0, 0}, 0.045}, 0.005}});
+  write("parallel.dump", dump_text(rods, 0));
+  ASSERT_EQ(run("rod_packing parallel.dump --vessel-radius 0.105 --csv parallel.csv"), 0);
+  EXPECT_NE(out_.find("none             as measured, <|sin gamma|> = 0.0000: parallel, above the "
+                      "densest packing, 0.8931\n"),
+            std::string::npos)
+      << out_;
+  auto row = csv_row(read("parallel.csv"));
+  EXPECT_TRUE(std::isnan(row["vf_random_contact_measured"]));
+  EXPECT_NEAR(row["vf_random_contact_isotropic"], 0.4241, 5e-5);
+}
+
 // Two crossing rods whose axes cross: Steinmetz's body, 16 r^3/3, is counted twice in vf and once
 // in vf_net; it lies in the inner cylinder.
 TEST_F(Programs, PackingSaysTheOverlap)
@@ -760,6 +808,10 @@ TEST_F(Programs, WrongOptions)
   expect_refusal(
       "rod_render bed.dump --out a.png --frame all --vessel-radius 1 --top 1 --colour spin",
       "--frame all: needs --range");
+  expect_refusal(
+      "rod_render pour.dump --out a.png --frame all --vessel-radius 1 --top 1 --auto-range",
+      "--frame all: needs --range");
+  expect_refusal("rod_render bed.dump --out a.png --range 0 1 --auto-range", "excludes");
   expect_refusal("rod_render bed.dump --out a.png --film a.mp4", "--film: needs --frame all");
   expect_refusal("rod_render bed.dump --out a.png --film a.gif", "must end in .mp4 or .webm");
   expect_refusal("rod_render bed.dump --out a.png --top 1", "--top: needs --vessel-radius");
