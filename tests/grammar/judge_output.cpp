@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sentences, thermo output, local rows, twins; and the whole of a right end.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "brute_force.h"
+#include "deck_run.h"
+#include "judge.h"
+
+namespace grammar {
+
+namespace {
+
+State at_start(const Plan &plan)
+{
+  State state;
+  state.rods = plan.start;
+  return state;
+}
+
+}  // namespace
+
+std::string sentence_of(const std::string &output)
+{
+  std::istringstream in(output);
+  std::string line, sentence;
+  while (std::getline(in, line))
+    if (line.rfind("ERROR", 0) == 0) sentence = line;
+  const size_t colon = sentence.find(": ");
+  if (sentence.empty()) throw Wrong("ended with an error, and no sentence says why");
+  if (colon == std::string::npos || sentence.size() < colon + 12)
+    throw Wrong("the sentence says nothing: " + sentence);
+  return sentence.substr(colon + 2);
+}
+
+void check_thermo(const Plan &plan, const std::string &output, const State &last)
+{
+  const decks::Table thermo = decks::read_thermo(output);
+  if (thermo.rows.empty()) throw Wrong("no thermo output");
+  const std::vector<double> &row = thermo.rows.back();
+  double kinetic = 0.0, turning = 0.0;
+  for (const auto &[id, rod] : last.rods) {
+    kinetic += 0.5 * rod.mass * norm_squared(rod.v);
+    turning += 0.5 * dot(rod.omega, rod.angular_momentum());
+  }
+  const auto differ = [](double a, double b) {
+    return std::fabs(a - b) > 1e-9 * (std::fabs(a) + std::fabs(b)) + 1e-15;
+  };
+  if (static_cast<long>(row[0]) != last.step) return;
+  if (row[1] != static_cast<double>(last.rods.size()))
+    throw Wrong(fmt::format("thermo says {} rods, the dump has {}", row[1], last.rods.size()));
+  if (differ(row[2], kinetic))
+    throw Wrong(fmt::format("compute ke {:.9g}, by the dump {:.9g}", row[2], kinetic));
+  if (differ(row[3], turning))
+    throw Wrong(fmt::format("compute erotate {:.9g}, by the dump {:.9g}", row[3], turning));
+  double largest = 0.0;
+  for (const Touch &touch : pair_touches(last, plan.material))
+    largest = std::max(largest, touch.overlap / touch.reach);
+  if (images_are_plain(last) && plan.runs.back().effects.counts_all_pairs &&
+      std::fabs(largest - row[5]) > 1e-7)
+    throw Wrong(fmt::format("largest overlap {:.9g}, by search {:.9g}", row[5], largest));
+}
+
+void check_rows(const Plan &plan, const std::filesystem::path &file, const State &last)
+{
+  const Run &run = plan.runs.back();
+  if (!images_are_plain(last) || !run.effects.counts_all_pairs) return;
+  const std::vector<decks::Snapshot> snapshots = decks::read_dump(file);
+  if (snapshots.empty() || snapshots.back().step != last.step)
+    throw Wrong("no rows of contacts at the last step");
+  std::map<std::pair<int, int>, Touch> touches;
+  for (const Touch &touch : pair_touches(last, plan.material))
+    if (!run.effects.still.count(touch.i) || !run.effects.still.count(touch.j))
+      touches[{touch.i, touch.j}] = touch;
+  std::map<int, Vec3> sums;
+  for (const std::vector<double> &row : snapshots.back().atoms.rows) {
+    const int i = static_cast<int>(row.at(0)), j = static_cast<int>(row.at(1));
+    const auto found = touches.find(std::minmax(i, j));
+    if (found == touches.end())
+      throw Wrong(fmt::format("a row for rods {} and {}, which do not touch", i, j));
+    const Touch touch = found->second;
+    touches.erase(found);
+    const Vec3 force{row[3], row[4], row[5]};
+    sums[i] = sums[i] + force;
+    sums[j] = sums[j] - force;
+    if (touch.plain && std::fabs(row[6] - touch.overlap) > 1e-7 * touch.reach)
+      throw Wrong(fmt::format("overlap of rods {} and {}: {:.9g}, by search {:.9g}", i, j, row[6],
+                              touch.overlap));
+  }
+  for (const auto &[pair, touch] : touches)
+    if (touch.overlap > 1e-8 * touch.reach)
+      throw Wrong(fmt::format("no row for rods {} and {}, which touch", touch.i, touch.j));
+  if (!plan.walls.empty() || !run.effects.forces_known) return;
+  for (const auto &[id, rod] : last.rods) {
+    if (run.effects.still.count(id) || run.effects.driven.count(id)) continue;
+    Vec3 wanted = sums[id] + rod.mass * run.effects.gravity;
+    const auto added = run.effects.added_force.find(id);
+    if (added != run.effects.added_force.end()) wanted = wanted + added->second;
+    if (norm(rod.force - wanted) > 1e-8 * (norm(rod.force) + norm(wanted)) + 1e-9)
+      throw Wrong(fmt::format("rows of rod {} do not add up to its force", id));
+  }
+}
+
+void check_twins(const State &one, const State &other, const std::string &setting)
+{
+  if (one.rods.size() != other.rods.size())
+    throw Wrong(fmt::format("{} rods, with {} {}", one.rods.size(), setting, other.rods.size()));
+  for (const auto &[id, rod] : one.rods) {
+    const auto found = other.rods.find(id);
+    if (found == other.rods.end()) throw Wrong(fmt::format("with {} rod {} is gone", setting, id));
+    const Rod &twin = found->second;
+    // Round-off, and what hits make of it.
+    const double apart = norm(one.box.nearest(twin.x - rod.x)) / rod.radius;
+    const double turned = norm(cross(twin.axis, rod.axis)) * rod.half_cylinder() / rod.radius;
+    if (!(apart + turned < 1e-4))
+      throw Wrong(fmt::format("with {} rod {} is elsewhere by {:.3g} radii, its end by {:.3g}",
+                              setting, id, apart, turned));
+  }
+}
+
+State judge_results(const Plan &plan, const std::filesystem::path &folder,
+                    const std::string &output)
+{
+  if (output.find("the end of the deck") == std::string::npos)
+    throw Wrong("exit code 0, but the deck did not come to its end");
+  State last = at_start(plan);
+  bool known = !plan.start.empty(), springs = false;
+  for (const Run &run : plan.runs) {
+    const std::vector<State> states = read_states(folder / run.dump, plan.box);
+    if (states.empty() || states.back().step != run.first_step + run.steps)
+      throw Wrong(fmt::format("no rods of step {}", run.first_step + run.steps));
+    for (const State &state : states) check_state(plan, run, state);
+    if (known) check_start(run, last, states.front());
+    check_motion(plan, run, states, springs);
+    check_driven(plan, run, states);
+    last = states.back();
+    known = springs = true;
+  }
+  if (static_cast<int>(last.rods.size()) < plan.fewest_rods && plan.walls.size() > 5)
+    throw Wrong(fmt::format("{} rods of {} in a closed vessel", last.rods.size(), plan.fewest_rods));
+  check_thermo(plan, output, last);
+  if (plan.local_rows) check_rows(plan, folder / "dump.rows", last);
+  return last;
+}
+
+}  // namespace grammar
