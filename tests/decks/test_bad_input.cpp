@@ -485,6 +485,44 @@ TEST(BadInput, TimeStepFarTooLongIsWarnedAbout)
   EXPECT_EQ(lines_with(outcome.output, "time step 0.001").size(), 1u) << "once a run";
 }
 
+// A rod of 0.1 m that stands with its centre 0.02 m above a floor reaches 0.03 m, three diameters,
+// through it: placed so by the data file, or by an insertion whose region begins at the floor. One that
+// hits a soft floor goes in step by step.
+TEST(BadInput, RodsPlacedThroughAWallAreToldFromHardImpacts)
+{
+  const std::string placed = "the rod was placed through the wall", hit = "use a stiffer contact";
+  const auto warning = [](const std::string &deck, const std::string &data) {
+    const DeckFolder folder;
+    folder.write("in.wall", deck);
+    folder.write("rods.data", data);
+    const Outcome outcome = folder.run("in.wall");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    return lines_with(outcome.output, "overlap by");
+  };
+  const std::string data = edited(kGoodData, {"0 0 0.2 1 0 0", "0 0 0.02 0 0 1"});
+  const auto by_file = warning(kGoodDeck, data);
+  ASSERT_EQ(by_file.size(), 1u);
+  EXPECT_NE(by_file[0].find("rod 1 and a wall overlap by 3"), std::string::npos) << by_file[0];
+  EXPECT_NE(by_file[0].find(placed), std::string::npos) << by_file[0];
+
+  std::string deck = edited(kGoodInsertion, {" all_in_region vessel", ""});
+  deck = edited(deck, {"vessel block -0.2 0.2 -0.2 0.2 0.0", "vessel block -0.2 0.2 -0.2 0.2 0.1"});
+  deck = edited(deck, {"fix motion all",
+                       "fix floor all wall/gran model linear tangential history surface "
+                       "spherocylinder primitive type 1 zplane 0.1\nfix motion all"});
+  const auto by_insertion = warning(deck, kGoodData);
+  ASSERT_GE(by_insertion.size(), 1u);
+  EXPECT_NE(by_insertion[0].find(placed), std::string::npos) << by_insertion[0];
+
+  // v sqrt(m/k) = 0.9 diameters: 0.0205 kg, 1e5 N/m on one contact in the middle, 20 m/s; v dt = 0.02
+  // diameters.
+  const auto by_motion =
+      warning(edited(kGoodDeck, {"run 10", "velocity all set 0 0 -20\nrun 80"}),
+              edited(kGoodData, {"0 0 0.2 1 0 0", "0 0 0.056 0 0 1"}));
+  ASSERT_EQ(by_motion.size(), 1u);
+  EXPECT_NE(by_motion[0].find(hit), std::string::npos) << by_motion[0];
+}
+
 // A wrong deck must end all ranks, not hang.
 TEST(BadInput, EndsAllRanks)
 {
