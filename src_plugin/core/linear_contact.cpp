@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "contact_kinematics.h"
+#include "linear_law.h"
 
 namespace spherocylinder {
 
 namespace {
 
-template <Tangential tangential, bool tangential_damping, bool limit_force>
+template <Tangential tangential, SliderLimits limits, bool tangential_damping, bool limit_force>
 SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
 {
   for (int k = 0; k < kBatch; k++) {
@@ -45,22 +46,11 @@ SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
       const double most = c.friction[k] * std::fabs(Fn);
       if (tangential == Tangential::NoHistory) {
         // The dashpot alone, up to the limit of friction.
-        const double dragging = damping * norm(slip);
-        const double factor = dragging > most ? damping * (most / dragging) : damping;
-        Ft = -factor * slip;
+        Ft = -damping_within(damping, slip, most) * slip;
       } else {
-        // Cayley: the spring turns by the mean spin about the normal and keeps its length.
-        const Vec3 old = c.spring.get(k);
-        const double h = 0.25 * dt * c.turning[k] * dot(omega_i + omega_j, n);
-        const double scale = 1.0 / (1.0 + h * h);
-        Vec3 spring = (scale * (1.0 - h * h)) * old + (scale * 2.0 * h) * cross(n, old) + dt * slip;
-        spring = spring - dot(spring, n) * n;
-        const double pull = kt * norm(spring);
-        const bool slides = pull > most;
-        const double shrink = slides ? most / pull : 1.0;
-        spring = shrink * spring;
-        const double holding = slides ? 0.0 : damping;
-        Ft = -kt * spring - holding * slip;
+        Vec3 spring = turned_spring(c.spring.get(k), n, omega_i, omega_j, c.turning[k], dt);
+        spring = loaded_spring(spring, slip, n, dt);
+        Ft = sliding_force<limits>(spring, slip, kt, damping, most);
         c.spring.set(k, spring);
       }
     }
@@ -79,19 +69,19 @@ SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
 }
 
 // Every way a deck can ask for, each a function of its own: nothing is decided per contact.
-template <Tangential tangential>
+template <Tangential tangential, SliderLimits limits>
 SPHEROCYLINDER_INLINE void with_options(LinearContacts &c, const LinearLaw &law)
 {
   if (law.tangential_damping) {
     if (law.limit_force)
-      all_contacts<tangential, true, true>(c, law.dt);
+      all_contacts<tangential, limits, true, true>(c, law.dt);
     else
-      all_contacts<tangential, true, false>(c, law.dt);
+      all_contacts<tangential, limits, true, false>(c, law.dt);
   } else {
     if (law.limit_force)
-      all_contacts<tangential, false, true>(c, law.dt);
+      all_contacts<tangential, limits, false, true>(c, law.dt);
     else
-      all_contacts<tangential, false, false>(c, law.dt);
+      all_contacts<tangential, limits, false, false>(c, law.dt);
   }
 }
 
@@ -99,10 +89,16 @@ SPHEROCYLINDER_INLINE void with_options(LinearContacts &c, const LinearLaw &law)
 
 SPHEROCYLINDER_VECTOR void linear_contacts(LinearContacts &contacts, const LinearLaw &law)
 {
+  constexpr SliderLimits kWhole = SliderLimits::WholeForce, kSpring = SliderLimits::SpringAlone;
   switch (law.tangential) {
-    case Tangential::Off: with_options<Tangential::Off>(contacts, law); break;
-    case Tangential::NoHistory: with_options<Tangential::NoHistory>(contacts, law); break;
-    case Tangential::History: with_options<Tangential::History>(contacts, law); break;
+    case Tangential::Off: with_options<Tangential::Off, kWhole>(contacts, law); break;
+    case Tangential::NoHistory: with_options<Tangential::NoHistory, kWhole>(contacts, law); break;
+    case Tangential::History:
+      if (law.slider == kWhole)
+        with_options<Tangential::History, kWhole>(contacts, law);
+      else
+        with_options<Tangential::History, kSpring>(contacts, law);
+      break;
   }
 }
 

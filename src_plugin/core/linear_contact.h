@@ -4,6 +4,7 @@
 #pragma once
 
 #include "batch.h"
+#include "linear_law.h"
 
 namespace spherocylinder {
 
@@ -12,8 +13,9 @@ enum class Tangential { Off, NoHistory, History };
 struct LinearLaw {
   Tangential tangential;
   bool tangential_damping;
-  bool limit_force;  // the normal force does not pull
-  double dt;         // s
+  bool limit_force;     // the normal force does not pull
+  SliderLimits slider;  // of Tangential::History
+  double dt;            // s
 };
 
 // Space frame, SI units. i and j are the two rods of a contact.

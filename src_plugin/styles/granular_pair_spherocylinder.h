@@ -16,6 +16,7 @@
 #include "force.h"
 #include "granular_pair_style.h"
 #include "linear_pair_forces.h"
+#include "linear_slider.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "rod_contact.h"
@@ -37,6 +38,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
         parent_(parent),
         model_(lmp, parent, false, hash),
         monitor_(lmp),
+        slider_(lmp),
         linear_(lmp),
         close_pairs_(lmp)
   {
@@ -54,6 +56,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   {
     Settings settings(lmp);
     model_.registerSettings(settings);
+    slider_.register_settings(model_, settings);
     settings.registerOnOff("spread_contact", spread_contact_, true);
     std::vector<char *> others = args_without_close_skin(lmp, nargs, args, close_skin_);
     const int n_others = static_cast<int>(others.size());
@@ -77,6 +80,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
                     "Pair gran with surface spherocylinder stores no contact forces, as fix "
                     "continuum/weighted wants them (expected compute pair/gran/local)");
     model_.connectToProperties(force->registry);
+    slider_.connect(model_, force->registry);
     side_offset_ = model_.get_history_offset("rod_normal");
     spring_offset_ = history_offset("shearx");
     monitor_.reset(rods);
@@ -128,6 +132,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   int side_offset_ = -1;
   int spring_offset_ = -1;
 
+  LinearSlider slider_;
   LinearPairForces linear_;
   bool batched_ = false;  // the forces of a usual step are left to linear_
 
@@ -165,9 +170,7 @@ int GranularSpherocylinder<ContactModel>::history_offset(const std::string &name
 }
 
 // The tangential spring turns with the pair about its normal, by the mean of the two spins; LIGGGHTS
-// turns it with the normal only. By Cayley's formula, which keeps its length:
-// cos = (1 - t^2)/(1 + t^2), sin = 2 t/(1 + t^2), t half the angle.
-// Two spheres keep LIGGGHTS's spring, so that they move as its own do.
+// turns it with the normal only. Two spheres keep LIGGGHTS's spring, so that they move as its own do.
 template <typename ContactModel>
 void GranularSpherocylinder<ContactModel>::turn_spring(const SurfacesIntersectData &sidata) const
 {
@@ -176,10 +179,9 @@ void GranularSpherocylinder<ContactModel>::turn_spring(const SurfacesIntersectDa
   const int i = sidata.i, j = sidata.j;
   if (rods_[i].segment.half_length == 0.0 && rods_[j].segment.half_length == 0.0) return;
   double *spring = sidata.contact_history + spring_offset_;
-  const Vec3 normal = load(sidata.en), old = load(spring);
-  const double t = 0.25 * update->dt * dot(motions_[i].omega + motions_[j].omega, normal);
-  const double scale = 1.0 / (1.0 + t * t);
-  store((scale * (1.0 - t * t)) * old + (scale * 2.0 * t) * cross(normal, old), spring);
+  store(turned_spring(load(spring), load(sidata.en), motions_[i].omega, motions_[j].omega, 1.0,
+                      update->dt),
+        spring);
 }
 
 // A pair that no longer touches forgets its contact.
@@ -346,11 +348,17 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     if (inverse_mass == 0.0) continue;  // both frozen: nothing to move
     sidata.meff = contact.share / inverse_mass;
 
-    if (spring_offset_ >= 0) turn_spring(sidata);
+    double *spring = nullptr;
+    if (spring_offset_ >= 0 && sidata.contact_history) {
+      spring = sidata.contact_history + spring_offset_;
+      turn_spring(sidata);
+      slider_.note_spring(spring);
+    }
     i_forces.reset();
     j_forces.reset();
     sidata.kn = sidata.kt = 0.0;  // a stock model need not set them
     model_.surfacesIntersect(sidata, i_forces, j_forces);
+    if (spring) slider_.limit(sidata, spring, i_forces, j_forces);
     model_.endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;
     monitor_.look(i, j, sidata.kn, sidata.meff, sidata.deltan, reach);

@@ -11,6 +11,7 @@
 #include "fix_property_atom.h"
 #include "fix_wall_gran.h"
 #include "force.h"
+#include "linear_slider.h"
 #include "linear_wall_forces.h"
 #include "rod_contact.h"
 #include "rod_wall.h"
@@ -31,6 +32,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
         parent_(parent),
         models_{{lmp, parent, true, hash}, {lmp, parent, true, hash}},
         monitor_(lmp),
+        slider_(lmp),
         linear_(lmp)
   {
   }
@@ -50,6 +52,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
     for (ContactModel &model : models_) {
       Settings settings(lmp);
       model.registerSettings(settings);
+      slider_.register_settings(model, settings);
       settings.registerOnOff("spread_contact", spread_contact, true);
       const bool understood = settings.parseArguments(n_others, others.data());
       model.postSettings(hsetup);
@@ -62,6 +65,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
   {
     AtomVecSpherocylinder &rods = rods_of(lmp, "Fix wall/gran with surface spherocylinder");
     for (ContactModel &model : models_) model.connectToProperties(force->registry);
+    slider_.connect(models_[0], force->registry);
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(models_[0]);
     if (batched_)
@@ -94,6 +98,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
   ContactMonitor monitor_;
   bool has_tangential_ = false;
 
+  LinearSlider slider_;
   LinearWallForces linear_;
   bool batched_ = false;  // the forces of a usual step are left to linear_
 
@@ -211,7 +216,11 @@ void GranularSpherocylinder<ContactModel>::compute_rod(FixWallGran &fix, const M
     store(wall.velocity_at(contact), end_wall_velocity);
 
     sidata.kn = sidata.kt = 0.0;  // a stock model need not set them
+    // Model linear has no history values before the tangential model's, one set an end.
+    double *spring = sidata.contact_history ? sidata.contact_history + k * fix.dnum() / 2 : nullptr;
+    if (spring) slider_.note_spring(spring);
     models_[k].surfacesIntersect(sidata, i_forces, j_forces);
+    if (spring) slider_.limit(sidata, spring, i_forces, j_forces);
     models_[k].endSurfacesIntersect(sidata, nullptr, i_forces, j_forces);
     sidata.has_force_update = true;
     monitor_.look(i, -1, sidata.kn, sidata.meff, sidata.deltan, 2.0 * rod.radius);

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "contact_model_headers.h"
+#include "linear_slider.h"
 #include "property_registry.h"
 
 using namespace LAMMPS_NS;
@@ -13,12 +14,15 @@ bool LinearModelValues::understand(int nargs, char **args)
 {
   law.tangential_damping = true;
   law.limit_force = aspect_scaling = false;
+  law.slider = SliderLimits::WholeForce;
   for (int k = 0; k + 1 < nargs; k += 2) {
     const bool on = strcmp(args[k + 1], "on") == 0;
     if (strcmp(args[k], "tangential_damping") == 0)
       law.tangential_damping = on;
     else if (strcmp(args[k], "limitForce") == 0)
       law.limit_force = on;
+    else if (strcmp(args[k], kLimitTangentialDamping) == 0)
+      law.slider = on ? SliderLimits::WholeForce : SliderLimits::SpringAlone;
     else if (strcmp(args[k], "aspect_scaling") == 0)
       aspect_scaling = on;
     else if (strcmp(args[k], "spread_contact") != 0)

@@ -11,7 +11,8 @@ namespace LAMMPS_NS {
 
 // What model linear's keywords and material properties come to, for batches of contacts.
 struct LinearModelValues {
-  spherocylinder::LinearLaw law{spherocylinder::Tangential::Off, true, false, 0.0};
+  spherocylinder::LinearLaw law{spherocylinder::Tangential::Off, true, false,
+                                spherocylinder::SliderLimits::WholeForce, 0.0};
   bool aspect_scaling = false;
 
   // Keywords behind the models. False if one of them needs the models themselves.

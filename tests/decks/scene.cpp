@@ -222,6 +222,14 @@ std::string rod_wall(const std::string &id, const std::string &models, const std
                      models, primitive);
 }
 
+std::string eased_start(double constant, long steps)
+{
+  std::string commands;
+  for (const char *axis : {"x", "y", "z"})
+    commands += fmt::format("variable ease_{0} atom -{1}*v{0}*(step<{2})\n", axis, constant, steps);
+  return commands + "fix ease all addforce v_ease_x v_ease_y v_ease_z\n";
+}
+
 Vec3 momentum(const std::vector<Rod> &rods)
 {
   Vec3 sum{0.0, 0.0, 0.0};

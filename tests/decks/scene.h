@@ -100,6 +100,10 @@ std::string rod_pair(const std::string &models);
 std::string rod_wall(const std::string &id, const std::string &models,
                      const std::string &primitive);
 
+// A drag of `constant` (N s/m) on all rods for the first `steps` steps. Springs that start empty let
+// rods gather speed before they hold them; friction close to its threshold would take long to stop that.
+std::string eased_start(double constant, long steps);
+
 // Largest difference of two runs at any frame (m): of the centres and, with the axes, of the ends. Not a
 // number if one is, or if there is nothing to compare.
 double largest_difference(const std::vector<Frame> &a, const std::vector<Frame> &b);

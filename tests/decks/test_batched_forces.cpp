@@ -109,7 +109,7 @@ Scene heap(const std::string &tangential, const std::string &keywords)
                   fmt::format("pair_style gran model {} surface spherocylinder {}\n", models,
                               keywords) +
                   "pair_coeff * *\n" +
-                  rod_wall("floor", models, "type 1 zplane 0.0") +
+                  rod_wall("floor", models, "type 1 zplane 0.0 " + keywords) +
                   "group fixed type 3\ngroup loose type 1 2\nfix hold fixed freeze\n"
                   "fix weight all gravity 9.81 vector 0.0 0.0 -1.0\n"
                   "fix motion loose nve/spherocylinder\n";
@@ -177,6 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
     Models, BatchedForces,
     testing::Values(Case{"Off", "off", ""}, Case{"NoHistory", "no_history", ""},
                     Case{"History", "history", ""},
+                    Case{"LiggghtsSlider", "history", "limit_tangential_damping off"},
                     Case{"AspectScaling", "history", "aspect_scaling on"},
                     Case{"LimitForce", "history", "limitForce on"},
                     Case{"WithoutTangentialDamping", "history", "tangential_damping off"},

@@ -309,7 +309,8 @@ TEST_P(SlidingContact, WedgedRodLocksItself)
   // Without rebound (e = 0.06), so that the springs are not stretched beyond their balance.
   scene.physics = pair_property("kn", 5, kStiffness) + pair_property("kt", 5, kt) +
                   pair_property("coefficientRestitution", 5, 0.06) +
-                  pair_property("coefficientFriction", 5, friction) + contacts_and_fixed_rods(5);
+                  pair_property("coefficientFriction", 5, friction) + contacts_and_fixed_rods(5) +
+                  eased_start(100.0, 5000);
   scene.dt = 1e-5;
   scene.steps = 40000;
   const std::vector<Rod> after = run(scene, GetParam()).back().rods;

@@ -218,10 +218,21 @@ Result by_hand(const Contact &c, const LinearLaw &law, bool turning)
     r.spring = (turning ? turned(c.spring, n, rate * dt) : Long3(c.spring)) + dt * slip;
     r.spring = r.spring - dot(r.spring, n) * n;
     Ft = -static_cast<long double>(c.kt) * r.spring - gamma_t * slip;
-    r.slides = c.kt * norm(r.spring) > most;  // the spring decides, its dashpot does not
-    if (r.slides) {
-      r.spring = (most / (c.kt * norm(r.spring))) * r.spring;
-      Ft = -static_cast<long double>(c.kt) * r.spring;
+    if (law.slider == SliderLimits::WholeForce) {
+      r.slides = norm(Ft) > most;
+      if (r.slides) {
+        // What the dashpot, itself within the limit, leaves to the spring.
+        Ft = (most / norm(Ft)) * Ft;
+        const long double dragging = gamma_t * norm(slip);
+        const long double drag = std::min(dragging, most);
+        r.spring = (-1.0L / c.kt) * (Ft + (dragging > 0.0L ? drag / dragging * gamma_t : 0.0L) * slip);
+      }
+    } else {
+      r.slides = c.kt * norm(r.spring) > most;  // the spring decides, its dashpot does not
+      if (r.slides) {
+        r.spring = (most / (c.kt * norm(r.spring))) * r.spring;
+        Ft = -static_cast<long double>(c.kt) * r.spring;
+      }
     }
   }
 
@@ -239,24 +250,25 @@ Result by_hand(const Contact &c, const LinearLaw &law, bool turning)
   return r;
 }
 
-using Options = std::tuple<Tangential, bool, bool>;
+using Options = std::tuple<Tangential, bool, bool, SliderLimits>;
 
 class LinearContact : public testing::TestWithParam<Options> {
  protected:
   LinearLaw law() const
   {
-    const auto [tangential, damping, limit] = GetParam();
-    return {tangential, damping, limit, kStep};
+    const auto [tangential, damping, limit, slider] = GetParam();
+    return {tangential, damping, limit, slider, kStep};
   }
 };
 
 std::string name_of(const Options &options)
 {
-  const auto [tangential, damping, limit] = options;
+  const auto [tangential, damping, limit, slider] = options;
   return std::string(tangential == Tangential::Off         ? "Off"
                      : tangential == Tangential::NoHistory ? "NoHistory"
                                                            : "History") +
-         (damping ? "" : "WithoutDamping") + (limit ? "LimitForce" : "");
+         (damping ? "" : "WithoutDamping") + (limit ? "LimitForce" : "") +
+         (slider == SliderLimits::WholeForce ? "" : "SpringAlone");
 }
 
 // Some ten roundings of what adds up.
@@ -378,14 +390,16 @@ TEST_P(LinearContact, HasNoTotalTorque)
 INSTANTIATE_TEST_SUITE_P(Laws, LinearContact,
                          testing::Combine(testing::Values(Tangential::Off, Tangential::NoHistory,
                                                           Tangential::History),
-                                          testing::Bool(), testing::Bool()),
+                                          testing::Bool(), testing::Bool(),
+                                          testing::Values(SliderLimits::WholeForce,
+                                                          SliderLimits::SpringAlone)),
                          [](const auto &info) { return name_of(info.param); });
 
 // By this the caller knows to leave a contact out; the others of the batch feel nothing of it.
 TEST(LinearContacts, TwoFrozenRodsHaveNoInverseMass)
 {
   RandomRods random(67867967);
-  const LinearLaw law = {Tangential::History, true, false, kStep};
+  const LinearLaw law = {Tangential::History, true, false, SliderLimits::WholeForce, kStep};
   LinearContacts all{}, mixed{};
   for (int k = 0; k < kBatch; k++) {
     Contact c = random_contact(random, 0.01);
