@@ -26,7 +26,16 @@ SPHEROCYLINDER_INLINE Vec3 velocity_half_a_step_ago(const Vec3 &velocity, const 
 struct InverseInertia {
   double mass;        // 1/m, 1/kg
   double transverse;  // 1/I_t, 1/(kg m^2)
+  bool is_driven = false;  // moved by hand, whatever pushes it
 };
+
+// What a rod shows to the other of a contact: a driven one does not give way to one that can move.
+// (Two driven rods, or a driven and an immovable one, keep their own masses for the damping.)
+inline InverseInertia shown_to(const InverseInertia &other, const InverseInertia &rod)
+{
+  const bool stands = rod.is_driven && !other.is_driven && other.mass > 0.0;
+  return stands ? InverseInertia{0.0, 0.0} : rod;
+}
 
 // 1/m + (a x n)^T I^-1 (a x n), in 1/kg: the acceleration of the point at `arm` along the unit
 // vector `normal` per unit force along it. For a point on the axis a x n is at right angles to the

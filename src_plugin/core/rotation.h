@@ -32,6 +32,14 @@ SPHEROCYLINDER_INLINE Vec3 axis_of(const Quaternion &q)
           q.w * q.w - q.x * q.x - q.y * q.y + q.z * q.z};
 }
 
+// A vector turned by q.
+SPHEROCYLINDER_INLINE Vec3 rotated(const Vec3 &a, const Quaternion &q)
+{
+  const Vec3 v = {q.x, q.y, q.z};
+  const Vec3 t = 2.0 * cross(v, a);
+  return a + q.w * t + cross(v, t);
+}
+
 // Shortest rotation that takes body z to the unit vector `axis` (half a turn about x for -z).
 Quaternion orientation_of(const Vec3 &axis);
 

@@ -56,8 +56,7 @@ std::vector<HostStyle> fix_rows()
       right("ave/time"),
       right("aveforce", kCentre),
       refused("box/relax", "it needs an energy minimiser, which rods have not; use fix deform"),
-      refused("buoyancy", "it displaces the bounding sphere's volume; use fix addforce with the "
-                          "rod's own volume"),
+      right("buoyancy", "of the part of the rod that is immersed, at its centroid"),
       refused("check/timestep/gran",
               "it takes Rayleigh and Hertz times from the bounding sphere; use fix "
               "check/timestep/spherocylinder"),
@@ -92,7 +91,7 @@ std::vector<HostStyle> fix_rows()
       right("external", kCentre),
       refused("fiber/spring/simple",
               "it joins the centres of bounding spheres; use rods of the wanted length"),
-      right("freeze", "the rods stand still: no force, no torque, no velocity"),
+      right("freeze", "the rods stand still: no force, no torque, no velocity, no spin"),
       right("gravity"),
       refused("heat/gran", "it conducts through the area of the bounding spheres, also across gaps; "
                            "leave it out"),
@@ -110,8 +109,8 @@ std::vector<HostStyle> fix_rows()
       right("mesh/surface/planar", "as a face for insertion or counting"),
       different("momentum", "linear: right; angular: that of the centres' motion only, the rods' own "
                             "spin is left as it is, as with spheres"),
-      refused("move", "it moves the centres and does not turn the axes; use a velocity and fix "
-                      "nve/spherocylinder"),
+      right("move", "axes turn with the motion; a rod that is driven in all directions does not give "
+                    "way"),
       right("move/mesh"),
       right("move/mesh/file"),
       right("move/mesh/gran"),
@@ -147,8 +146,8 @@ std::vector<HostStyle> fix_rows()
       right("property/atomtypepair"),
       right("property/global"),
       right("region/variable"),
-      refused("rigid", "it carries the rods' centres round and does not turn their axes; use rods of "
-                       "the wanted length"),
+      refused("rigid", "it carries the rods' centres round and does not turn their axes; use fix move for "
+                       "driven bodies, rods of the wanted length for free ones"),
       right("setforce", "of the centre's force; torques stay"),
       refused("sph/density/continuity", kSph),
       refused("sph/density/corr", kSph),

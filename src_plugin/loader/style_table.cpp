@@ -16,12 +16,17 @@
 #include "styles/compute_erotate_spherocylinder.h"
 #include "styles/compute_gran_local_spherocylinder.h"
 #include "styles/contact_styles.h"
+#include "styles/displace_rods.h"
 #include "styles/fix_balance.h"
+#include "styles/fix_buoyancy_spherocylinder.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
+#include "styles/fix_freeze_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
+#include "styles/fix_move_spherocylinder.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
 #include "styles/fix_wall_gran_spherocylinder.h"
+#include "styles/velocity_of_rods.h"
 
 using namespace LAMMPS_NS;
 
@@ -72,11 +77,21 @@ void run_command(LAMMPS *lmp, int narg, char **arg)
   T(lmp).command(narg, arg);
 }
 
-// LIGGGHTS's own where there are no rods.
-Fix *create_wall(LAMMPS *lmp, int narg, char **arg)
+// Fixes and commands of LIGGGHTS's names: ours with rods, LIGGGHTS's own without.
+template <typename WithRods, typename Without>
+Fix *create_fix_for(LAMMPS *lmp, int narg, char **arg)
 {
-  if (has_rods(lmp)) return new FixWallGranSpherocylinder(lmp, narg, arg);
-  return new FixWallGran(lmp, narg, arg);
+  if (has_rods(lmp)) return new WithRods(lmp, narg, arg);
+  return new Without(lmp, narg, arg);
+}
+
+template <typename WithRods, typename Without>
+void run_command_for(LAMMPS *lmp, int narg, char **arg)
+{
+  if (has_rods(lmp))
+    WithRods(lmp).command(narg, arg);
+  else
+    Without(lmp).command(narg, arg);
 }
 
 Compute *create_gran_local(LAMMPS *lmp, int iarg, int narg, char **arg)
@@ -104,7 +119,10 @@ void add_styles(LAMMPS *lmp)
 #include "styles/fix_particletemplate_spherocylinder.h"
 #undef FixStyle
 #undef FIX_CLASS
-  fixes["wall/gran"] = &create_wall;
+  fixes["buoyancy"] = &create_fix_for<FixBuoyancySpherocylinder, FixBuoyancy>;
+  fixes["freeze"] = &create_fix_for<FixFreezeSpherocylinder, FixFreeze>;
+  fixes["move"] = &create_fix_for<FixMoveSpherocylinder, FixMove>;
+  fixes["wall/gran"] = &create_fix_for<FixWallGranSpherocylinder, FixWallGran>;
 #define COMPUTE_CLASS
 #define ComputeStyle(key, Class) computes[#key] = &create_compute<Class>;
 #include "styles/compute_contact_spherocylinder.h"
@@ -116,6 +134,8 @@ void add_styles(LAMMPS *lmp)
 #include "styles/balance.h"
 #undef CommandStyle
 #undef COMMAND_CLASS
+  commands["displace_atoms"] = &run_command_for<DisplaceRods, DisplaceAtoms>;
+  commands["velocity"] = &run_command_for<VelocityOfRods, Velocity>;
   computes["pair/gran/local"] = computes["wall/gran/local"] = &create_gran_local;
 }
 

@@ -17,6 +17,7 @@
 #include "modify.h"
 #include "rod_checks.h"
 #include "rod_insertion_list.h"
+#include "rod_integrators.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
@@ -79,7 +80,7 @@ void AtomVecSpherocylinder::init()
   check_rods_after_set(lmp, *this);
   images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, true);
   check_contact_styles_know_rods(lmp);
-  check_each_rod_is_integrated_once(lmp);
+  moved_groups_ = check_each_rod_is_integrated_once(lmp);
 }
 
 /* ----------------------------------------------------------------------
@@ -205,6 +206,7 @@ void AtomVecSpherocylinder::clear_bonus()
   if (domain->box_change_size || domain->box_change_shape)
     images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, !images_may_touch_twice_);
   if (images_may_touch_twice_) check_pairs_touch_once(lmp);
+  check_new_rods_are_integrated(lmp, moved_groups_);
   is_handing_over_ = true;
   hand_over_far_rods(lmp);
   is_handing_over_ = false;

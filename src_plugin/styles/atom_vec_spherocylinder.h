@@ -104,6 +104,7 @@ class AtomVecSpherocylinder : public AtomVec {
   ContactRates contact_rates_;
   std::unique_ptr<RodInsertionList> insertion_list_;
   bool images_may_touch_twice_ = false;
+  int moved_groups_ = -1;  // groups whose rods a fix moves or freezes; all where nothing runs
   bool is_handing_over_ = false;
 
   struct PeriodicShift {

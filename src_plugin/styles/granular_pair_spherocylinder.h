@@ -15,6 +15,7 @@
 #include "core/contact_kinematics.h"
 #include "force.h"
 #include "granular_pair_style.h"
+#include "fix_move_spherocylinder.h"
 #include "linear_pair_forces.h"
 #include "linear_slider.h"
 #include "neigh_list.h"
@@ -227,12 +228,14 @@ template <typename ContactModel>
 void GranularSpherocylinder<ContactModel>::read_masses(int frozen_bit)
 {
   const int nall = atom->nlocal + atom->nghost;
+  const int driven_bits = groups_driven_by_fix_move(lmp);
   linear_.forget_kinds();
   kinds_.clear();
   for (int i = 0; i < nall; i++) {
     const bool frozen = atom->mask[i] & frozen_bit;
     motions_[i].inverse = {frozen ? 0.0 : 1.0 / atom->rmass[i],
-                           frozen ? 0.0 : 1.0 / atom->inertia[i][0]};
+                           frozen ? 0.0 : 1.0 / atom->inertia[i][0],
+                           (atom->mask[i] & driven_bits) != 0};
     kinds_.add(atom->type[i], rods_[i], motions_[i].inverse);
   }
 }
@@ -343,8 +346,9 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     const Vec3 normal = contact.normal;
     store(velocity_half_a_step_ago(motion_i.velocity, motion_i.omega, arm_i, dt), velocity_i);
     store(velocity_half_a_step_ago(motion_j.velocity, motion_j.omega, arm_j, dt), velocity_j);
-    const double inverse_mass = inverse_effective_mass(motion_i.inverse, arm_i, normal) +
-                                inverse_effective_mass(motion_j.inverse, arm_j, normal);
+    const double inverse_mass =
+        inverse_effective_mass(shown_to(motion_j.inverse, motion_i.inverse), arm_i, normal) +
+        inverse_effective_mass(shown_to(motion_i.inverse, motion_j.inverse), arm_j, normal);
     if (inverse_mass == 0.0) continue;  // both frozen: nothing to move
     sidata.meff = contact.share / inverse_mass;
 

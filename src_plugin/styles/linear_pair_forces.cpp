@@ -38,10 +38,11 @@ void LinearPairForces::set_motion(int k, const Capsule &rod_i, const RodMotion &
 }
 
 void LinearPairForces::set_kinds(int k, int i, int j, const Capsule &rod_i,
-                                 const InverseInertia &inverse_i, const Capsule &rod_j,
-                                 const InverseInertia &inverse_j)
+                                 const InverseInertia &own_i, const Capsule &rod_j,
+                                 const InverseInertia &own_j)
 {
   LinearContacts &c = contacts_;
+  const InverseInertia inverse_i = shown_to(own_j, own_i), inverse_j = shown_to(own_i, own_j);
   c.inverse_mass_i[k] = inverse_i.mass;
   c.inverse_mass_j[k] = inverse_j.mass;
   c.inverse_inertia_i[k] = inverse_i.transverse;

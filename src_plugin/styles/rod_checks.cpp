@@ -20,7 +20,6 @@
 #include "fix_contact_history.h"
 #include "fix_wall_gran.h"
 #include "force.h"
-#include "group.h"
 #include "lammps.h"
 #include "modify.h"
 #include "pair_gran.h"
@@ -44,16 +43,6 @@ std::string formatted(const char *format, va_list arguments)
 bool differs(double a, double b) { return std::fabs(a - b) > kRoundOff * std::fabs(b); }
 
 bool is_running(LAMMPS *lmp) { return lmp->update->whichflag == 1; }
-
-bigint count_rods(LAMMPS *lmp, int any_of, int all_of)
-{
-  const Atom *atom = lmp->atom;
-  bigint local = 0, total = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & any_of) && (atom->mask[i] & all_of) == all_of) local++;
-  MPI_Allreduce(&local, &total, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
-  return total;
-}
 
 // Ids and numbers that make up a message; the first, an id, is 0 if there is nothing to say.
 using Found = std::array<int, 2>;
@@ -244,46 +233,4 @@ void LAMMPS_NS::check_contact_styles_know_rods(LAMMPS *lmp)
                     "spherocylinder (without it rods would touch as their bounding spheres)",
                     fix->style, fix->id);
   }
-}
-
-void LAMMPS_NS::check_each_rod_is_integrated_once(LAMMPS *lmp)
-{
-  if (!is_running(lmp) || lmp->update->nsteps == 0) return;
-
-  const Modify *modify = lmp->modify;
-  int integrated = 0;  // groups with an integrator
-  bool has_integrator = false;
-  for (int i = 0; i < modify->nfix; i++) {
-    const Fix *fix = modify->fix[i];
-    if (!fix->time_integrate) continue;
-    const bool is_ours = strcmp(fix->style, "nve/spherocylinder") == 0;
-    has_integrator = has_integrator || is_ours;
-    integrated |= fix->groupbit;
-
-    // Two integrators of the same rod: by group if there are no rods yet, by rod otherwise.
-    for (int j = 0; j < i; j++) {
-      const Fix *other = modify->fix[j];
-      if (!other->time_integrate) continue;
-      if (!is_ours && strcmp(other->style, "nve/spherocylinder") != 0) continue;
-      const bigint twice = count_rods(lmp, fix->groupbit, fix->groupbit | other->groupbit);
-      if (fix->groupbit == other->groupbit || twice > 0)
-        rod_error_all(lmp,
-                      "Fix %s (id %s) integrates group %s, of which " BIGINT_FORMAT
-                      " rods are also integrated by fix %s (id %s); a rod wants exactly one "
-                      "integrator",
-                      fix->style, fix->id, lmp->group->names[fix->igroup], twice, other->style,
-                      other->id);
-    }
-  }
-  if (!has_integrator)
-    rod_error_all(lmp,
-                  "Atom style spherocylinder: no integrator is defined, rods would not move "
-                  "(expected fix ID group nve/spherocylinder)");
-
-  const bigint still = count_rods(lmp, 1, 0) - count_rods(lmp, integrated, 0);
-  if (still > 0 && lmp->comm->me == 0)
-    rod_warning(lmp,
-                "Atom style spherocylinder: " BIGINT_FORMAT
-                " rods are in no integrator's group and will not move",
-                still);
 }

@@ -42,6 +42,5 @@ void check_pairs_touch_once(LAMMPS *lmp);
 // Without our surface model the stock pair and wall would use the rods' bounding spheres.
 void check_contact_styles_know_rods(LAMMPS *lmp);
 
-void check_each_rod_is_integrated_once(LAMMPS *lmp);
 
 }  // namespace LAMMPS_NS

@@ -24,7 +24,8 @@ class RodKinds {
   void add(int type, const spherocylinder::Capsule &rod,
            const spherocylinder::InverseInertia &inverse)
   {
-    const Kind kind = {type, rod.radius, rod.segment.half_length, inverse.mass, inverse.transverse};
+    const Kind kind = {type, rod.radius, rod.segment.half_length, inverse.mass, inverse.transverse,
+                       inverse.is_driven};
     int k = of_rods_.empty() ? kNone : of_rods_.back();  // often that of the rod before
     if (k == kNone || !(known_[k] == kind))
       for (k = 0; k < static_cast<int>(known_.size()) && !(known_[k] == kind);) k++;
@@ -46,11 +47,13 @@ class RodKinds {
   struct Kind {
     int type;
     double radius, half_length, inverse_mass, inverse_transverse;
+    bool is_driven;
 
     bool operator==(const Kind &other) const
     {
       return type == other.type && radius == other.radius && half_length == other.half_length &&
-             inverse_mass == other.inverse_mass && inverse_transverse == other.inverse_transverse;
+             inverse_mass == other.inverse_mass && inverse_transverse == other.inverse_transverse &&
+             is_driven == other.is_driven;
     }
   };
   std::vector<Kind> known_;

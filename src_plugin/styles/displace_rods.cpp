@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "displace_rods.h"
+
+#include <cstring>
+
+#include "atom.h"
+#include "core/mass_properties.h"
+#include "core/rotation.h"
+#include "fix.h"
+#include "force.h"
+#include "group.h"
+#include "modify.h"
+#include "rod_checks.h"
+
+using namespace LAMMPS_NS;
+namespace sc = spherocylinder;
+
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+}  // namespace
+
+void DisplaceRods::command(int narg, char **arg)
+{
+  const int igroup = narg >= 2 ? group->find(arg[0]) : -1;
+  if (igroup >= 0) {
+    check_nothing_drives(group->bitmask[igroup], arg[0]);
+    // Before the centres, with which the rods may go to other ranks. What is wrong with the
+    // command LIGGGHTS says.
+    if (strcmp(arg[1], "rotate") == 0 && narg >= 9) turn_rods(group->bitmask[igroup], arg);
+  }
+  DisplaceAtoms::command(narg, arg);
+}
+
+void DisplaceRods::check_nothing_drives(int groupbit, const char *group_name)
+{
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix *fix = modify->fix[k];
+    if (strcmp(fix->style, "move") != 0) continue;
+    int driven = 0, any = 0;
+    for (int i = 0; i < atom->nlocal; i++)
+      if ((atom->mask[i] & groupbit) && (atom->mask[i] & fix->groupbit)) driven++;
+    MPI_Allreduce(&driven, &any, 1, MPI_INT, MPI_SUM, world);
+    if (any > 0)
+      rod_error_all(lmp,
+                    "Displace_atoms: fix move (id %s) drives %d rods of group %s and would put "
+                    "them back (unfix it first)",
+                    fix->id, any, group_name);
+  }
+}
+
+void DisplaceRods::turn_rods(int groupbit, char **arg)
+{
+  const sc::Vec3 direction = {force->numeric(FLERR, arg[5]), force->numeric(FLERR, arg[6]),
+                              force->numeric(FLERR, arg[7])};
+  const double angle = force->numeric(FLERR, arg[8]) * kDegree;
+  const double length = sc::norm(direction);
+  if (!(length > 0.0)) return;  // LIGGGHTS's error
+  const sc::Quaternion rotation = sc::rotation_about((1.0 / length) * direction, angle);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double *orientation = atom->quaternion[i];
+    sc::store(sc::normalized(rotation * sc::load_quaternion(orientation)), orientation);
+    for (double **spin : {atom->omega, atom->angmom})
+      sc::store(sc::rotated(sc::load(spin[i]), rotation), spin[i]);
+  }
+}
