@@ -66,9 +66,8 @@ std::vector<HostStyle> fix_rows()
       right("contacthistory/mesh", kInternal),
       right("contactproperty/atom", kInternal),
       right("contactproperty/atom/wall", kInternal),
-      different("continuum/weighted",
-                "each rod counts with its mass and velocity at its centre; the stress takes the "
-                "branch vectors between centres"),
+      refused("continuum/weighted", "rods' contacts store no forces for it; use compute "
+                                    "pair/gran/local or compute stress/atom"),
       refused("couple/cfd", kCoupling),
       refused("couple/cfd/convection", kCoupling),
       refused("couple/cfd/convectiveImpl", kCoupling),
@@ -93,10 +92,8 @@ std::vector<HostStyle> fix_rows()
               "it joins the centres of bounding spheres; use rods of the wanted length"),
       right("freeze", "the rods stand still: no force, no torque, no velocity, no spin"),
       right("gravity"),
-      refused("heat/gran", "it conducts through the area of the bounding spheres, also across gaps; "
-                           "leave it out"),
-      refused("heat/gran/conduction",
-              "it conducts through the area of the bounding spheres, also across gaps; leave it out"),
+      right("heat/gran", "conducts where rods touch; see its page"),
+      right("heat/gran/conduction", "conducts where rods touch; see its page"),
       right("insert/pack", "with fix particletemplate/spherocylinder"),
       right("insert/rate/region", "with fix particletemplate/spherocylinder"),
       right("insert/stream", "with fix particletemplate/spherocylinder"),
@@ -158,7 +155,7 @@ std::vector<HostStyle> fix_rows()
       right("spring/self", kCentre),
       right("store/force"),
       right("store/state"),
-      right("transportequation/scalar", "for explicit integration; made by fix heat/gran"),
+      right("transportequation/scalar", "made by fix heat/gran"),
       different("viscous", "a drag on the centre's velocity by the coefficient given; spin is not "
                            "slowed"),
       right("wall/gran", "with surface spherocylinder; see its page for the walls there are"),

@@ -21,6 +21,7 @@
 #include "styles/fix_buoyancy_spherocylinder.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_freeze_spherocylinder.h"
+#include "styles/fix_heat_gran_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_move_spherocylinder.h"
 #include "styles/fix_nve_spherocylinder.h"
@@ -123,6 +124,8 @@ void add_styles(LAMMPS *lmp)
   fixes["freeze"] = &create_fix_for<FixFreezeSpherocylinder, FixFreeze>;
   fixes["move"] = &create_fix_for<FixMoveSpherocylinder, FixMove>;
   fixes["wall/gran"] = &create_fix_for<FixWallGranSpherocylinder, FixWallGran>;
+  fixes["heat/gran"] = fixes["heat/gran/conduction"] =
+      &create_fix_for<FixHeatGranSpherocylinder, FixHeatGranCond>;
 #define COMPUTE_CLASS
 #define ComputeStyle(key, Class) computes[#key] = &create_compute<Class>;
 #include "styles/compute_contact_spherocylinder.h"

@@ -19,6 +19,7 @@ namespace LAMMPS_NS {
 
 class RodInsertionList;
 struct RodPairCounts;
+class TouchingRodPairs;
 
 // Rods: one atom is one sphero-cylinder.
 //
@@ -87,6 +88,9 @@ class AtomVecSpherocylinder : public AtomVec {
 
   // Of the pair style's lists, null without one.
   const RodPairCounts *pair_counts = nullptr;
+
+  // The pairs that touched when the forces were last computed, null without a pair style.
+  const TouchingRodPairs *touching_pairs = nullptr;
 
   // Filled by the contacts while a fix has it active.
   ContactRates &contact_rates() { return contact_rates_; }

@@ -75,8 +75,8 @@ ComputeGranLocalSpherocylinder::ComputeGranLocalSpherocylinder(LAMMPS *lmp, int 
 {
   if (heatflag)
     rod_error_all(lmp,
-                  "Compute %s (id %s): heatFlux is not available with atom_style spherocylinder "
-                  "(fix heat/gran/conduction sees bounding spheres)",
+                  "Compute %s (id %s): heatFlux of single contacts is not available with "
+                  "atom_style spherocylinder (expected f_heatFlux of fix heat/gran/conduction)",
                   style, id);
   // Without a keyword of its own LIGGGHTS stores its default columns.
   if (normal_ && static_cast<int>(keywords.stock.size()) == kFirstKeyword)

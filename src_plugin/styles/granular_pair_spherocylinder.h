@@ -49,6 +49,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   {
     auto *rods = dynamic_cast<AtomVecSpherocylinder *>(atom->avec);
     if (rods && rods->pair_counts == &close_pairs_.counts()) rods->pair_counts = nullptr;
+    if (rods && rods->touching_pairs == &touching_pairs_) rods->touching_pairs = nullptr;
   }
 
   int64_t hashcode() override { return model_.hashcode(); }
@@ -91,6 +92,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
                                atom->ntypes);
     close_pairs_.reset(*parent_, close_skin_);
     rods.pair_counts = &close_pairs_.counts();
+    rods.touching_pairs = &touching_pairs_;
   }
 
   void write_restart_settings(FILE *fp) override

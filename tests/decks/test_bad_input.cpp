@@ -349,7 +349,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"erotate/spherocylinder", "er", "fast"}},
         BadInput{"ContactsHeatFlux",
                  {"", "compute c all pair/gran/local id heatFlux"},
-                 {"Compute pair/gran/local (id c)", "heatFlux", "bounding spheres"}},
+                 {"Compute pair/gran/local (id c)", "heatFlux", "f_heatFlux"}},
         BadInput{"ContactsKeywordUnknown",
                  {"", "compute c all pair/gran/local id normals"},
                  {"pair/gran/local", "keyword"}},
