@@ -112,10 +112,11 @@ std::vector<Touch> wall_touches(const State &state, const std::vector<Wall> &wal
                                 const Material &material)
 {
   std::vector<Touch> touches;
-  for (const Wall &wall : walls)
+  for (const Wall &moving : walls)
     for (const auto &[id, rod] : state.rods)
       for (const double end : {-1.0, 1.0}) {
         if (end > 0.0 && rod.half_cylinder() <= 1e-12 * rod.radius) continue;  // a ball has one
+        const Wall wall = moving.at(state.step);
         const Vec3 arm = end * rod.half_cylinder() * rod.axis;
         const double gap = wall_gap(wall, rod.x + arm, rod.x);
         if (gap >= rod.radius) continue;

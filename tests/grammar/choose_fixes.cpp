@@ -20,7 +20,7 @@ void forget_forces(Effects &effects)
   effects.conservative = false;
 }
 
-std::string words(const Vec3 &a) { return fmt::format("{:.9g} {:.9g} {:.9g}", a.x, a.y, a.z); }
+std::string words(const Vec3 &a) { return fmt::format("{:.17g} {:.17g} {:.17g}", a.x, a.y, a.z); }
 
 void make_part(Draft &draft)
 {
@@ -88,7 +88,7 @@ void move_part(Draft &draft)
     case 1: {
       const double period = random.uniform(0.005, 0.05), w = 2.0 * kPi / period;
       const Vec3 amplitude = 0.005 * along;
-      text = fmt::format("fix drive part move wiggle {} {:.9g}", words(amplitude), period);
+      text = fmt::format("fix drive part move wiggle {} {:.17g}", words(amplitude), period);
       driven = moved_by([=](double t) { return std::sin(w * t) * amplitude; },
                         [=](double t) { return w * std::cos(w * t) * amplitude; });
       break;
@@ -96,14 +96,15 @@ void move_part(Draft &draft)
     case 2: {
       const double period = random.uniform(0.02, 0.3);
       const Vec3 point = 0.3 * draft.longest() * random.direction(), axis = random.direction();
-      text = fmt::format("fix drive part move rotate {} {} {:.9g}", words(point), words(axis),
+      text = fmt::format("fix drive part move rotate {} {} {:.17g}", words(point), words(axis),
                          period);
       driven = turned_about(point, axis, 2.0 * kPi / period);
       break;
     }
     default: {
-      text = fmt::format("variable way equal {:.9g}*step*dt\nvariable speed equal {:.9g}\n"
-                         "fix drive part move variable v_way NULL NULL v_speed NULL NULL",
+      text = fmt::format("variable way equal {:.17g}*step*dt\nvariable speed equal {:.17g}\n"
+                         "variable none equal 0.0\n"
+                         "fix drive part move variable v_way v_none v_none v_speed v_none v_none",
                          along.x, along.x);
       const Vec3 x{along.x, 0.0, 0.0};
       driven = moved_by([x](double t) { return t * x; }, [x](double) { return x; });
@@ -172,10 +173,10 @@ void deform_box(Draft &draft)
 {
   const int d = draft.random.integer(0, 2);
   if (draft.boundary[d] != "p") return;
-  const bool grow = draft.random.chance(0.5);
-  draft.fix_text += fmt::format("fix squeeze all deform {} {} erate {:.4g} remap {}\n",
-                                draft.random.pick({1, 1, 5}), "xyz"[d],
-                                draft.random.uniform(0.0, 3.0) * (grow ? 1.0 : -1.0),
+  draft.effects.deformed = d;
+  draft.effects.rate = draft.random.uniform(-3.0, 3.0);
+  draft.fix_text += fmt::format("fix squeeze all deform {} {} erate {:.17g} remap {}\n",
+                                draft.random.pick({1, 1, 5}), "xyz"[d], draft.effects.rate,
                                 draft.random.pick({"x", "v", "none"}));
   draft.effects.box_changes = true;
   draft.effects.only_internal = false;

@@ -45,6 +45,9 @@ void choose_material(Draft &draft)
   models += " surface spherocylinder";
   draft.models = models;
   draft.keywords = choose_keywords(random, material);
+  if (random.chance(0.3)) draft.sudden_overlap = " sudden_overlap on";
+  draft.newton = random.chance(0.01);
+  draft.lost = random.pick({"ignore", "ignore", "ignore", "warn", "error"});
   draft.close_skin = random.chance(0.2) ? random.pick({"0.001", "0.003", "0.01"}) : "auto";
 }
 

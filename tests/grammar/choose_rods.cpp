@@ -1,71 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rods of a data file, placed by rejection, or templates and an insertion command.
+// Rods placed one by one, or templates and an insertion command.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "brute_force.h"
 #include "draft.h"
 
 namespace grammar {
 
 namespace {
-
-Rod rod_of(const Kind &kind)
-{
-  Rod rod;
-  rod.radius = kind.radius;
-  rod.length = kind.length;
-  rod.density = kind.density;
-  rod.mass = kind.density * kind.volume();
-  rod.type = kind.type;
-  return rod;
-}
-
-bool fits(const Draft &draft, const Rod &rod, double deepest)
-{
-  for (const Wall &wall : draft.plan.walls)
-    for (const double end : {-1.0, 1.0}) {
-      const Vec3 point = rod.x + end * rod.half_cylinder() * rod.axis;
-      if (wall_gap(wall, point, rod.x) < rod.radius * (1.0 - deepest)) return false;
-    }
-  State two;
-  two.box = draft.box;
-  two.rods[0] = rod;
-  for (const auto &[id, other] : draft.rods) {
-    two.rods[1] = other;
-    two.rods[1].id = 1;
-    for (const Touch &touch : pair_touches(two, draft.plan.material))
-      if (touch.overlap > deepest * touch.reach) return false;
-  }
-  return true;
-}
-
-void place_rods(Draft &draft)
-{
-  Random &random = draft.random;
-  const double fastest = random.pick({0.0, 0.3, 1.0, 1.0, 3.0});
-  const double deepest = random.pick({0.0, 0.0, 0.05, 0.2});
-  const bool gaps_in_ids = random.chance(0.15);
-  int id = 0;
-  for (int k = 0; k < draft.plan.most_rods; k++)
-    for (int attempt = 0; attempt < 60; attempt++) {
-      const int kinds = static_cast<int>(draft.kinds.size());
-      Rod rod = rod_of(draft.kinds[draft.rods.empty() ? 0 : random.integer(0, kinds - 1)]);
-      rod.axis = random.chance(0.1) ? Vec3{1.0, 0.0, 0.0} : random.direction();
-      for (int d = 0; d < 3; d++)
-        component(rod.x, d) = random.uniform(draft.inside_lo[d], draft.inside_hi[d]);
-      rod.v = random.uniform(0.0, fastest) * random.direction();
-      rod.omega = random.uniform(0.0, 2.0 * fastest / rod.length) * random.direction();
-      if (!fits(draft, rod, deepest)) continue;
-      id += gaps_in_ids ? random.integer(1, 4) : 1;
-      rod.id = id;
-      draft.rods[id] = rod;
-      break;
-    }
-  draft.plan.fewest_rods = draft.plan.most_rods = static_cast<int>(draft.rods.size());
-}
 
 std::string templates(Draft &draft)
 {
@@ -76,7 +19,7 @@ std::string templates(Draft &draft)
         "fix template{} all particletemplate/spherocylinder {} atom_type {} density constant {} "
         "radius constant {:.17g} length constant {:.17g}\n",
         k, draft.random.seed(), kind.type, kind.density, kind.radius, kind.length);
-    names += fmt::format(" template{} {:.9g}", k, 1.0 / static_cast<double>(draft.kinds.size()));
+    names += fmt::format(" template{} {:.17g}", k, 1.0 / static_cast<double>(draft.kinds.size()));
   }
   return text + fmt::format("fix mixture all particledistribution/discrete {} {}{}\n",
                             draft.random.seed(), draft.kinds.size(), names);
@@ -91,9 +34,28 @@ std::string feed_region(const Draft &draft)
     for (const Wall &wall : draft.plan.walls)  // a square in the circle
       if (wall.cylinder && wall.dim != d) half *= 0.6;
     half = std::max(half, 0.02 * draft.box.period(d));
-    bounds += fmt::format(" {:.9g} {:.9g}", middle - half, middle + half);
+    bounds += fmt::format(" {:.17g} {:.17g}", middle - half, middle + half);
   }
   return "region feed block" + bounds + " units box\n";
+}
+
+// A square across the middle of the box, for insert/stream: normal along z.
+std::string face(const Draft &draft)
+{
+  double lo[2], hi[2];
+  for (int d = 0; d < 2; d++) {
+    const double half = 0.2 * (draft.inside_hi[d] - draft.inside_lo[d]);
+    lo[d] = 0.5 * (draft.inside_lo[d] + draft.inside_hi[d]) - half;
+    hi[d] = lo[d] + 2.0 * half;
+  }
+  const double z = 0.5 * (draft.inside_lo[2] + draft.inside_hi[2]) - 0.5 * draft.longest();
+  const auto facet = [&](double x, double y) {
+    return fmt::format("facet normal 0 0 1\n outer loop\n  vertex {0} {1} {4}\n  vertex {2} {1} {4}\n"
+                       "  vertex {2} {3} {4}\n endloop\nendfacet\n"
+                       "facet normal 0 0 1\n outer loop\n  vertex {0} {1} {4}\n  vertex {2} {3} {4}\n"
+                       "  vertex {0} {3} {4}\n endloop\nendfacet\n", lo[0], lo[1], x, y, z);
+  };
+  return "solid face\n" + facet(hi[0], hi[1]) + "endsolid face\n";
 }
 
 void choose_insertion(Draft &draft)
@@ -106,10 +68,11 @@ void choose_insertion(Draft &draft)
       random.chance(0.8) ? "orientation random "
                          : random.pick({"orientation constant 0.70710678 0.70710678 0 0 ",
                                         "orientation constant 0.7071 0.7071 0 0 "});
-  const std::string common = fmt::format(
+  std::string common = fmt::format(
       "seed {} distributiontemplate mixture maxattempt 400 overlapcheck yes all_in no {}"
       "vel constant {:.3g} 0.0 {:.3g}",
-      random.seed(), orientation, random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+      random.seed(), orientation, random.uniform(-1.0, 1.0), random.uniform(-1.0, -0.2));
+  if (random.chance(0.3)) common += " omega constant 10.0 -5.0 0.0";
   const long every = draft.unit * random.integer(1, 3);
   draft.plan.fewest_rods = 0;
   switch (draft.making) {
@@ -124,6 +87,15 @@ void choose_insertion(Draft &draft)
                           random.chance(0.5) ? fmt::format("particles_in_region {}", rods)
                                              : std::string("volumefraction_region 0.01"));
       draft.plan.most_rods = 100000;
+      break;
+    case Making::Stream:
+      draft.plan.files["face.stl"] = face(draft);
+      text += fmt::format("fix face all mesh/surface/planar file face.stl type 1\n"
+                          "fix pour all insert/stream {} nparticles {} particlerate {:.6g} "
+                          "insertion_face face extrude_length {:.6g}\n", common, rods,
+                          rods / (draft.dt * 300.0), 1.5 * draft.longest());
+      draft.effects.forces_known = false;  // rods on their way to the face fly at a set speed
+      draft.effects.energy_may_grow = true;
       break;
     default:
       text += fmt::format("fix pour all insert/rate/region {} nparticles {} particlerate {:.6g} "
@@ -140,9 +112,11 @@ void choose_insertion(Draft &draft)
 void choose_rods(Draft &draft)
 {
   using M = Making;
-  draft.making = draft.random.pick({M::DataFile, M::DataFile, M::DataFile, M::DataFile,
-                                    M::DataFile, M::Pack, M::Pack, M::RefilledPack, M::Rate});
-  if (draft.making == M::DataFile)
+  draft.making = draft.random.pick(
+      {M::DataFile, M::DataFile, M::DataFile, M::DataFile, M::DataFile, M::DataFile, M::DataFile,
+       M::ByHand, M::Pack, M::Pack, M::RefilledPack, M::Rate, M::Stream});
+  if (draft.making == M::ByHand) draft.plan.most_rods = std::min(draft.plan.most_rods, 12);
+  if (draft.making == M::DataFile || draft.making == M::ByHand)
     place_rods(draft);
   else
     choose_insertion(draft);

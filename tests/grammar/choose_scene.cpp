@@ -56,28 +56,48 @@ void set_boundary(Draft &draft, int d, const std::string &kind)
   draft.box.periodic[d] = kind == "p";
 }
 
-void add_plane(Draft &draft, int d, double position, const std::string &motion)
+// What a plane of normal d does, seldom: slides, turns about a normal, moves along its normal.
+struct PlaneMotion {
+  std::string words;
+  double way_in_a_step = 0.0;
+};
+
+PlaneMotion choose_motion(Draft &draft, int d)
 {
+  Random &random = draft.random;
+  PlaneMotion motion;
+  if (!random.chance(0.12)) return motion;
+  draft.effects.energy_may_grow = true;
+  const int which = random.integer(0, 2);
+  if (which == 0)
+    motion.words = fmt::format(" shear {} {:.4g}", kNames[(d + random.integer(1, 2)) % 3],
+                               random.uniform(-1.0, 1.0));
+  else if (which == 1)
+    motion.words = fmt::format(" turn {:.4g} 0.0 0.01", random.uniform(-20.0, 20.0));
+  else
+    motion.way_in_a_step = draft.dt * random.uniform(-0.5, 0.5);
+  return motion;
+}
+
+void add_plane(Draft &draft, int d, double position)
+{
+  const PlaneMotion motion = choose_motion(draft, d);
   Wall wall;
   wall.id = fmt::format("plane{}", draft.plan.walls.size());
   wall.dim = d;
   wall.position = position;
+  wall.way_in_a_step = motion.way_in_a_step;
   wall.type = draft.random.integer(1, draft.plan.material.types);
-  wall.drives = !motion.empty();
-  const int type = wall.type;
+  std::string place = fmt::format("{:.17g}", position);
+  if (motion.way_in_a_step != 0.0) {
+    draft.wall_text += fmt::format("variable place_{} equal {}+({:.17g})*step\n", wall.id, place,
+                                   wall.way_in_a_step);
+    place = "v_place_" + wall.id;
+  }
+  draft.wall_text += fmt::format("fix {} all wall/gran {} primitive type {} {}plane {}{}{}\n",
+                                 wall.id, draft.models, wall.type, kNames[d], place, motion.words,
+                                 draft.keywords);
   draft.plan.walls.push_back(wall);
-  draft.wall_text += fmt::format("fix {} all wall/gran {} primitive type {} {}plane {:.9g}{}{}{}\n",
-                                 wall.id, draft.models, type, kNames[d], position,
-                                 motion.empty() ? "" : " shear ", motion, draft.keywords);
-}
-
-// A velocity along the plane of normal d, seldom.
-std::string shear_along(Draft &draft, int d)
-{
-  if (!draft.random.chance(0.1)) return "";
-  draft.effects.energy_may_grow = true;
-  return fmt::format("{} {:.4g}", kNames[(d + draft.random.integer(1, 2)) % 3],
-                     draft.random.uniform(-1.0, 1.0));
 }
 
 // Planes a little inside the box, so that a rod which leans on one stays in it.
@@ -87,8 +107,8 @@ void close_by_planes(Draft &draft, int d)
   draft.inside_lo[d] += gap;
   draft.inside_hi[d] -= gap;
   set_boundary(draft, d, draft.random.pick({"f", "f", "m"}));
-  add_plane(draft, d, draft.inside_lo[d], shear_along(draft, d));
-  add_plane(draft, d, draft.inside_hi[d], shear_along(draft, d));
+  add_plane(draft, d, draft.inside_lo[d]);
+  add_plane(draft, d, draft.inside_hi[d]);
 }
 
 void add_cylinder(Draft &draft)
@@ -108,15 +128,14 @@ void add_cylinder(Draft &draft)
     draft.inside_hi[across] = wall.radius;
     set_boundary(draft, across, "f");
   }
-  wall.drives = draft.random.chance(0.2);
   std::string motion;
-  if (wall.drives) {
+  if (draft.random.chance(0.2)) {
     motion = fmt::format(" shear {} {:.4g}", kNames[draft.random.integer(0, 2)],
                          draft.random.uniform(-2.0, 2.0));
     draft.effects.energy_may_grow = true;
   }
   draft.wall_text += fmt::format(
-      "fix side all wall/gran {} primitive type {} {}cylinder {:.9g} 0.0 0.0{}{}\n",
+      "fix side all wall/gran {} primitive type {} {}cylinder {:.17g} 0.0 0.0{}{}\n",
       draft.models, wall.type, kNames[d], wall.radius, motion, draft.keywords);
   draft.plan.walls.push_back(wall);
   if (draft.random.chance(0.7))
@@ -147,7 +166,7 @@ void choose_surroundings(Draft &draft)
       for (int d = 0; d < 2; d++) set_boundary(draft, d, random.pick({"f", "p"}));
       set_boundary(draft, 2, random.pick({"f", "m"}));
       draft.inside_lo[2] += 0.02 * draft.box.period(2);
-      add_plane(draft, 2, draft.inside_lo[2], shear_along(draft, 2));
+      add_plane(draft, 2, draft.inside_lo[2]);
       break;
   }
   if (!draft.plan.walls.empty()) draft.effects.only_internal = false;

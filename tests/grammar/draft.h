@@ -11,7 +11,7 @@
 
 namespace grammar {
 
-enum class Making { DataFile, Pack, RefilledPack, Rate, Stream };
+enum class Making { DataFile, ByHand, Pack, RefilledPack, Rate, Stream };
 enum class Surroundings { Periodic, Open, Vessel, Cylinder, Floor };
 
 // One size and material of rod.
@@ -41,7 +41,8 @@ struct Draft {
   long unit = 20;  // steps between two dumps; all steps are multiples
   double skin = 0.01;
   bool sorted = false, hash = false;
-  std::string close_skin;
+  bool newton = false;
+  std::string close_skin, sudden_overlap, lost = "ignore";
 
   // Commands from the box to the time step, given again after a restart.
   std::string models, keywords;  // what the pair style and the walls have in common
@@ -67,7 +68,9 @@ void choose_fixes(Draft &draft);
 void choose_computes(Draft &draft);
 void choose_runs(Draft &draft);       // runs and what happens between them
 
+void place_rods(Draft &draft);
 std::string data_file(const Draft &draft);
+std::string rods_by_hand(const Draft &draft);
 // From atom_style to the time step; the source is read_data, read_restart or a box.
 std::string header(const Draft &draft, const std::string &source);
 std::string box_command(const Draft &draft);

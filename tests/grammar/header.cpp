@@ -101,15 +101,17 @@ std::string header(const Draft &draft, const std::string &source)
   std::string text = "atom_style spherocylinder\n";
   text += fmt::format("atom_modify map {}{}\n", hash ? "hash" : "array",
                       draft.sorted ? " sort 20 0.02" : "");
-  text += fmt::format("boundary {} {} {}\nnewton off\ncommunicate single vel yes\nunits si\n",
-                      draft.boundary[0], draft.boundary[1], draft.boundary[2]);
+  text += fmt::format("boundary {} {} {}\nnewton {}\ncommunicate single vel yes\nunits si\n",
+                      draft.boundary[0], draft.boundary[1], draft.boundary[2],
+                      draft.newton ? "on" : "off");
   if (ranks == 2) text += "processors 2 1 1\n";
   if (ranks == 4) text += "processors 2 2 1\n";
   text += source;
   text += fmt::format("neighbor {} bin\nneigh_modify delay 0\n",
                       other_skins ? 1.7 * draft.skin : draft.skin);
   text += properties(draft);
-  text += fmt::format("pair_style gran {}{}{}{}\npair_coeff * *\n", draft.models, draft.keywords,
+  text += fmt::format("pair_style gran {}{}{}{}\npair_coeff * *\n", draft.models,
+                      draft.keywords + draft.sudden_overlap,
                       draft.plan.material.spread ? "" : " spread_contact off",
                       other_skins                     ? " close_skin 0.002"
                       : draft.close_skin == "auto"    ? ""
@@ -122,9 +124,9 @@ std::string header(const Draft &draft, const std::string &source)
   if (draft.setting == Setting::Balanced)
     text += "fix spread_rods all balance 20 1.01 shift xyz 10 1.01\n";
   text += draft.compute_text;
-  text += fmt::format("thermo_style custom step atoms{}\nthermo_modify norm no lost ignore format "
-                      "float %.17g\nthermo {}\ntimestep {}\n", draft.thermo_columns, draft.unit,
-                      draft.dt);
+  text += fmt::format("thermo_style custom step atoms{}\nthermo_modify norm no lost {} format "
+                      "float %.17g\nthermo {}\ntimestep {}\n", draft.thermo_columns,
+                      draft.lost, draft.unit, draft.dt);
   return text;
 }
 

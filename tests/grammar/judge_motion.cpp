@@ -162,8 +162,9 @@ void check_flight(const Plan &plan, const Run &run, const State &from, const Sta
     const Rod &now = to.rods.at(id);
     for (const Wall &wall : plan.walls)
       for (const double end : {-1.0, 1.0})
-        if (wall_gap(wall, rod.x + end * rod.half_cylinder() * rod.axis, rod.x) <
-            rod.radius + farthest)
+        if (wall_gap(wall.at(from.step), rod.x + end * rod.half_cylinder() * rod.axis, rod.x) <
+            rod.radius + farthest +
+                std::fabs(wall.way_in_a_step) * static_cast<double>(to.step - from.step))
           near.insert(id);
     if (near.count(id) || run.effects.still.count(id) || run.effects.driven.count(id)) continue;
     const Vec3 wanted_v = rod.v + time * pulls[id];
@@ -191,10 +192,10 @@ void check_walls(const Plan &plan, const State &from, const State &to)
   for (const Wall &wall : plan.walls)
     for (const auto &[id, rod] : from.rods) {
       const Rod &now = to.rods.at(id);
+      const double then = wall.at(from.step).position, at = wall.at(to.step).position;
       const bool through =
           wall.cylinder ? wall_gap(wall, now.x, now.x) < 0.0 && wall_gap(wall, rod.x, rod.x) > 0.0
-                        : (component(rod.x, wall.dim) > wall.position) !=
-                              (component(now.x, wall.dim) > wall.position);
+                        : (component(rod.x, wall.dim) > then) != (component(now.x, wall.dim) > at);
       if (through)
         throw Wrong(fmt::format("rod {} went through wall {} by step {}", id, wall.id, to.step));
     }

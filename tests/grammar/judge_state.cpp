@@ -157,7 +157,7 @@ void check_start(const Run &run, State before, const State &first)
     if (std::fabs(now->mass - rod.mass) > 1e-9 * rod.mass) wrong(rod, "its mass has changed");
     if (run.effects.driven.count(old_id) || run.effects.still.count(old_id)) continue;
     if (norm(now->v - rod.v) > 1e-9 * (1.0 + norm(rod.v))) wrong(rod, "its velocity has changed");
-    if (!run.omega_unsaid && norm(now->omega - rod.omega) > 1e-8 * (1.0 + norm(rod.omega)))
+    if (norm(now->omega - rod.omega) > 1e-8 * (1.0 + norm(rod.omega)))
       wrong(rod, "its angular velocity has changed");
   }
   if (run.effects.inserting) return;

@@ -25,21 +25,20 @@ constexpr const char *kManyRanks =
 
 }  // namespace
 
-Ended run_lmp(const std::filesystem::path &folder, const std::string &deck, int ranks,
+Ended run_lmp(const std::filesystem::path &folder, const std::string &lmp, int ranks,
               int time_limit)
 {
   // KILL: LIGGGHTS takes SIGTERM as a wish to end the run.
   const std::string start =
       ranks == 1 ? fmt::format("env {} timeout -s KILL {}", kSingleRank, time_limit)
                  : fmt::format("env {} --timeout {} -np {}", kManyRanks, time_limit, ranks);
-  const std::string out = "output." + deck;
   const std::string command =
-      fmt::format("cd {} && ASAN_OPTIONS=detect_leaks=0 {} {} -in {} > {} 2>&1", folder.string(),
-                  start, LMP_PROGRAM, deck, out);
+      fmt::format("cd {} && ASAN_OPTIONS=detect_leaks=0 {} {} -in in.deck > output 2>&1",
+                  folder.string(), start, lmp);
   const auto began = std::chrono::steady_clock::now();
   const int status = std::system(command.c_str());
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  std::ifstream in(folder / out);
+  std::ifstream in(folder / "output");
   Ended ended;
   ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
   ended.in_time = took.count() < time_limit;

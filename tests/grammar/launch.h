@@ -12,8 +12,8 @@ struct Ended {
   std::string output;  // standard output and error together
 };
 
-// Runs lmp on a deck in its folder and waits for it, but not longer than the limit (s).
-Ended run_lmp(const std::filesystem::path &folder, const std::string &deck, int ranks,
+// Runs lmp on in.deck in its folder and waits for it, but not longer than the limit (s).
+Ended run_lmp(const std::filesystem::path &folder, const std::string &lmp, int ranks,
               int time_limit);
 
 // Throws Wrong for a signal or a run that does not end.

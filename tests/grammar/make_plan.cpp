@@ -12,7 +12,7 @@ namespace {
 Setting choose_twin(Draft &draft)
 {
   using S = Setting;
-  if (draft.making != Making::DataFile || !draft.random.chance(0.3)) return S::Same;
+  if (draft.rods.empty() || !draft.random.chance(0.3)) return S::Same;
   return draft.random.pick({S::OtherRanks, S::OtherSkins, S::HashMap, S::Restarted, S::Restarted,
                             S::UnusedType, S::Balanced});
 }
@@ -20,9 +20,13 @@ Setting choose_twin(Draft &draft)
 void write_deck(Draft &draft)
 {
   Plan &plan = draft.plan;
-  const bool data = draft.making == Making::DataFile;
-  if (data) plan.files["rods.data"] = data_file(draft);
-  plan.deck = header(draft, data ? "read_data rods.data\n" : box_command(draft));
+  std::string source = box_command(draft);
+  if (draft.making == Making::ByHand) source += rods_by_hand(draft);
+  if (draft.making == Making::DataFile) {
+    plan.files["rods.data"] = data_file(draft);
+    source = "read_data rods.data\n";
+  }
+  plan.deck = header(draft, source);
 }
 
 void write_runs(Draft &draft)

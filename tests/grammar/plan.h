@@ -38,10 +38,17 @@ struct Wall {
   std::string id;
   bool cylinder = false;
   int dim = 2;                        // of a plane's normal, of a cylinder's axis
-  double position = 0.0;              // of a plane
+  double position = 0.0;              // of a plane, at step 0
+  double way_in_a_step = 0.0;         // of a plane along its normal
   double radius = 0.0;                // of a cylinder whose axis goes through the origin
   int type = 1;
-  bool drives = false;                // moves along itself or as a whole: gives energy
+
+  Wall at(long step) const
+  {
+    Wall there = *this;
+    there.position += way_in_a_step * static_cast<double>(step);
+    return there;
+  }
 };
 
 // How a rod that something else drives must stand t after the deck's start.
@@ -57,6 +64,8 @@ struct Effects {
   bool conservative = true;          // nothing takes energy but the contacts
   bool inserting = false;
   bool box_changes = false;
+  int deformed = -1;                 // dimension of a box that grows about its middle
+  double rate = 0.0;                 // by this share in a unit of time
   bool counts_all_pairs = true;      // false: some pairs are excluded
   std::set<int> still;               // frozen, or without a way to move
   std::map<int, Driven> driven;
@@ -73,9 +82,7 @@ struct Run {
   // What the commands make of the last run's end; start_known: of all rods, else nothing is said.
   std::vector<std::function<void(State &)>> changes;
   bool start_known = true;
-  bool omega_unsaid = false; // whether they turn the velocities too
-  bool new_ids = false;     // rods are found by their place
-  bool history_kept = true; // no spring may have been lost or come from nowhere
+  bool new_ids = false;  // rods are found by their place
 };
 
 // The same motion must come of the deck in another setting.

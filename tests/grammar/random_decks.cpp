@@ -20,7 +20,7 @@ namespace {
 struct Options {
   long from = 0, to = 149;
   int jobs = 1, time_limit = 60;
-  std::string keep, only_write;
+  std::string keep, only_write, program = LMP_PROGRAM;
 };
 
 struct Tally {
@@ -48,7 +48,7 @@ bool run_plan(const Plan &plan, const fs::path &folder, const Options &options, 
               std::string &sentence)
 {
   write_deck(plan, folder, "in.deck");
-  const Ended ended = run_lmp(folder, "in.deck", plan.ranks, options.time_limit);
+  const Ended ended = run_lmp(folder, options.program, plan.ranks, options.time_limit);
   check_end(ended);
   if (ended.exit_code != 0) {
     sentence = sentence_of(ended.output);
@@ -127,6 +127,7 @@ int main(int argc, char **argv)
   app.add_option("--time-limit", options.time_limit, "seconds for one deck");
   app.add_option("--keep", options.keep, "folder for the decks that end wrong");
   app.add_option("--write", options.only_write, "write the deck --from into this folder, run nothing");
+  app.add_option("--lmp", options.program, "program to run instead of the built lmp");
   CLI11_PARSE(app, argc, argv);
 
   if (!options.only_write.empty()) {

@@ -79,22 +79,6 @@ void read_box(std::ifstream &in, const std::string &header, Box &box)
   }
 }
 
-void make_exact(Box &box, const Box &known)
-{
-  box.exact = true;
-  for (int d = 0; d < 3; d++) {
-    if (!box.periodic[d]) continue;
-    const double error = 2e-6 * (std::fabs(known.lo[d]) + std::fabs(known.hi[d]));
-    if (std::fabs(box.lo[d] - known.lo[d]) > error || std::fabs(box.hi[d] - known.hi[d]) > error)
-      box.exact = false;
-  }
-  for (int d = 0; d < 3; d++)
-    if (box.exact && box.periodic[d]) {
-      box.lo[d] = known.lo[d];
-      box.hi[d] = known.hi[d];
-    }
-}
-
 }  // namespace
 
 double Rod::inertia_axial() const
@@ -140,7 +124,7 @@ std::string dump_commands(const std::string &id, const std::string &file, long e
                      id, every, file, kColumns, format);
 }
 
-std::vector<State> read_states(const std::filesystem::path &file, const Box &known)
+std::vector<State> read_states(const std::filesystem::path &file)
 {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("no dump " + file.filename().string());
@@ -165,8 +149,23 @@ std::vector<State> read_states(const std::filesystem::path &file, const Box &kno
                                              states.back().step));
     }
   }
-  for (State &state : states) make_exact(state.box, known);
   return states;
+}
+
+void make_exact(Box &box, const Box &known)
+{
+  box.exact = true;
+  for (int d = 0; d < 3; d++) {
+    if (!box.periodic[d]) continue;
+    const double error = 2e-6 * (std::fabs(known.lo[d]) + std::fabs(known.hi[d]));
+    if (std::fabs(box.lo[d] - known.lo[d]) > error || std::fabs(box.hi[d] - known.hi[d]) > error)
+      box.exact = false;
+  }
+  for (int d = 0; d < 3; d++)
+    if (box.exact && box.periodic[d]) {
+      box.lo[d] = known.lo[d];
+      box.hi[d] = known.hi[d];
+    }
 }
 
 bool finite(const Vec3 &a)

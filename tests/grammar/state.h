@@ -51,9 +51,12 @@ extern const char *const kColumns;
 // A dump command with enough digits to get every bit back, and its dump_modify.
 std::string dump_commands(const std::string &id, const std::string &file, long every);
 
-// Throws std::runtime_error for a file that is not such a dump. Where the dump's periodic bounds
-// are those of `known` to the digits that it gives, they are taken from there.
-std::vector<State> read_states(const std::filesystem::path &file, const Box &known);
+// Throws std::runtime_error for a file that is not such a dump.
+std::vector<State> read_states(const std::filesystem::path &file);
+
+// Where the periodic bounds are those of `known` to the digits of a dump's head, they are taken
+// from there.
+void make_exact(Box &box, const Box &known);
 
 inline double component(const Vec3 &a, int d) { return d == 0 ? a.x : d == 1 ? a.y : a.z; }
 inline double &component(Vec3 &a, int d) { return d == 0 ? a.x : d == 1 ? a.y : a.z; }
