@@ -6,6 +6,7 @@
 #include <string>
 
 #include "atom.h"
+#include "delete_atoms.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
@@ -16,10 +17,12 @@
 #include "styles/compute_erotate_spherocylinder.h"
 #include "styles/compute_gran_local_spherocylinder.h"
 #include "styles/contact_styles.h"
+#include "styles/delete_atoms_spherocylinder.h"
 #include "styles/displace_rods.h"
 #include "styles/fix_balance.h"
 #include "styles/fix_buoyancy_spherocylinder.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
+#include "styles/fix_contact_history_spherocylinder.h"
 #include "styles/fix_freeze_spherocylinder.h"
 #include "styles/fix_heat_gran_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
@@ -121,6 +124,7 @@ void add_styles(LAMMPS *lmp)
 #undef FixStyle
 #undef FIX_CLASS
   fixes["buoyancy"] = &create_fix_for<FixBuoyancySpherocylinder, FixBuoyancy>;
+  fixes["contacthistory"] = &create_fix_for<FixContactHistorySpherocylinder, FixContactHistory>;
   fixes["freeze"] = &create_fix_for<FixFreezeSpherocylinder, FixFreeze>;
   fixes["move"] = &create_fix_for<FixMoveSpherocylinder, FixMove>;
   fixes["wall/gran"] = &create_fix_for<FixWallGranSpherocylinder, FixWallGran>;
@@ -137,6 +141,7 @@ void add_styles(LAMMPS *lmp)
 #include "styles/balance.h"
 #undef CommandStyle
 #undef COMMAND_CLASS
+  commands["delete_atoms"] = &run_command_for<DeleteAtomsSpherocylinder, DeleteAtoms>;
   commands["displace_atoms"] = &run_command_for<DisplaceRods, DisplaceAtoms>;
   commands["velocity"] = &run_command_for<VelocityOfRods, Velocity>;
   computes["pair/gran/local"] = computes["wall/gran/local"] = &create_gran_local;

@@ -13,11 +13,13 @@
 #include "error.h"
 #include "far_rods.h"
 #include "fix.h"
+#include "fix_contact_history_spherocylinder.h"
 #include "memory.h"
 #include "modify.h"
 #include "rod_checks.h"
 #include "rod_insertion_list.h"
 #include "rod_integrators.h"
+#include "rod_shifts.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
@@ -76,6 +78,7 @@ void AtomVecSpherocylinder::settings(int narg, char **)
 void AtomVecSpherocylinder::init()
 {
   AtomVec::init();
+  bring_histories_to_rods(lmp);  // LIGGGHTS may go on to make its lists anew, without contacts
   check_atom_style_is_alone(lmp);
   check_rods_after_set(lmp, *this);
   images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, true);
@@ -177,6 +180,7 @@ bigint AtomVecSpherocylinder::memory_usage()
 
 void AtomVecSpherocylinder::copy(int i, int j, int delflag)
 {
+  bring_histories_to_rods(lmp);
   tag[j] = tag[i];
   type[j] = type[i];
   mask[j] = mask[i];
@@ -236,6 +240,12 @@ RodInsertionList &AtomVecSpherocylinder::insertion_list()
 {
   if (!insertion_list_) insertion_list_ = std::make_unique<RodInsertionList>(lmp, *this);
   return *insertion_list_;
+}
+
+RodShifts &AtomVecSpherocylinder::rod_shifts()
+{
+  if (!rod_shifts_) rod_shifts_ = std::make_unique<RodShifts>(lmp);
+  return *rod_shifts_;
 }
 
 /* ----------------------------------------------------------------------
@@ -478,6 +488,7 @@ int AtomVecSpherocylinder::unpack_state(int i, const double *buf)
 
 int AtomVecSpherocylinder::new_atom()
 {
+  bring_histories_to_rods(lmp);  // a new rod takes the place of a ghost, whose id a contact may want
   if (atom->nlocal == nmax) grow(0);
   return atom->nlocal;
 }

@@ -18,7 +18,9 @@ AtomStyle(spherocylinder, AtomVecSpherocylinder)
 namespace LAMMPS_NS {
 
 class RodInsertionList;
+class RodShifts;
 struct RodPairCounts;
+class SuddenOverlaps;
 class TouchingRodPairs;
 
 // Rods: one atom is one sphero-cylinder.
@@ -88,12 +90,16 @@ class AtomVecSpherocylinder : public AtomVec {
 
   // Of the pair style's lists, null without one.
   const RodPairCounts *pair_counts = nullptr;
+  SuddenOverlaps *sudden_overlaps = nullptr;
 
   // The pairs that touched when the forces were last computed, null without a pair style.
   const TouchingRodPairs *touching_pairs = nullptr;
 
   // Filled by the contacts while a fix has it active.
   ContactRates &contact_rates() { return contact_rates_; }
+
+  // How far rods have come, for the walls.
+  RodShifts &rod_shifts();
 
   // Rods that random insertion must keep clear of, shared by all templates of one insertion.
   RodInsertionList &insertion_list();
@@ -107,6 +113,7 @@ class AtomVecSpherocylinder : public AtomVec {
   double **shape, **blockiness, **inertia, **quaternion;
   ContactRates contact_rates_;
   std::unique_ptr<RodInsertionList> insertion_list_;
+  std::unique_ptr<RodShifts> rod_shifts_;
   bool images_may_touch_twice_ = false;
   int moved_groups_ = -1;  // groups whose rods a fix moves or freezes; all where nothing runs
   bool is_handing_over_ = false;

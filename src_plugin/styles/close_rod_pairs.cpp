@@ -8,6 +8,7 @@
 #include "comm.h"
 #include "core/rotation.h"
 #include "core/skin.h"
+#include "domain.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
@@ -75,10 +76,11 @@ bool CloseRodPairs::follow(int i, const Capsule &rod, bool all)
 }
 
 // False if a ghost may have used up its half of the outer skin. Of ghosts that are in no listed pair
-// only this must be known; that of the others is one loop over LIGGGHTS's arrays.
+// only this must be known; that of the others is one loop over LIGGGHTS's arrays. The ghosts of one
+// rank alone are its own rods, which it looks at anyway, as long as the box keeps its size.
 bool CloseRodPairs::ghosts_stay() const
 {
-  if (comm->nprocs == 1) return true;
+  if (comm->nprocs == 1 && list_box_ == box_size()) return true;
   const int owned = atom->nlocal;
   double farthest = 0.0;
   for (int i = owned; i < owned + atom->nghost; i++) {
@@ -88,6 +90,11 @@ bool CloseRodPairs::ghosts_stay() const
     farthest = std::max(farthest, twice_shift_squared(now, then));
   }
   return farthest <= 0.25 * list_skin_ * list_skin_;
+}
+
+std::array<double, 3> CloseRodPairs::box_size() const
+{
+  return {domain->xprd, domain->yprd, domain->zprd};
 }
 
 // False if the outer list has to be renewed.
@@ -174,6 +181,7 @@ void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool
 
   list_.renew(pair, rods, list_skin_, migrated);
 
+  list_box_ = box_size();
   reference_ = rods;
   list_reference_.resize(rods.size());
   for (size_t i = 0; i < rods.size(); i++) list_reference_[i] = rods[i].segment;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -63,7 +64,7 @@ class CloseRodPairs : protected Pointers {
   const std::vector<Entry> &entries() const { return entries_; }
 
   // Ghosts in some listed pair: of others only this need be known, that they do not come near. One
-  // rank alone knows it of its own rods, whose images they are.
+  // rank alone knows it of its own rods, whose images they are, while the box keeps its size.
   const std::vector<int> &tracked_ghosts() const { return list_.ghosts(); }
 
   RodPairCounts &counts() { return counts_; }
@@ -77,6 +78,7 @@ class CloseRodPairs : protected Pointers {
   double skin_ = 0.0, list_skin_ = 0.0;   // m
   std::vector<spherocylinder::Capsule> reference_;      // of the close pairs
   std::vector<spherocylinder::Segment> list_reference_;  // of the outer list
+  std::array<double, 3> list_box_{};                    // m, when it was made
   std::vector<char> moved_;
   bool any_moved_ = false;
   std::vector<Entry> entries_, next_entries_;
@@ -97,6 +99,7 @@ class CloseRodPairs : protected Pointers {
   void widen_list();
   void choose_skins();
   bool ghosts_stay() const;
+  std::array<double, 3> box_size() const;
   static double twice_shift_squared(const spherocylinder::Segment &now,
                                     const spherocylinder::Segment &then);
 };

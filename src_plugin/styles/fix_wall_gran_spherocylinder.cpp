@@ -2,46 +2,179 @@
 #include "fix_wall_gran_spherocylinder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "atom.h"
 #include "fix_property_atom.h"
+#include "input.h"
+#include "loader/member_access.h"
+#include "modify.h"
+#include "neighbor.h"
 #include "primitive_wall.h"
+#include "rod_checks.h"
+#include "update.h"
+#include "variable.h"
 
 using namespace LAMMPS_NS;
+
+namespace spherocylinder {
+
+// A plane's position, a cylinder's radius and axis. Not in an unnamed namespace: ExposeMember's friend is
+// looked up beside this.
+struct WallParameters {
+  using type = double *PrimitiveWall::*;
+  friend type member(WallParameters);
+};
+
+template struct ExposeMember<WallParameters, &PrimitiveWall::param>;
+
+}  // namespace spherocylinder
+
 using spherocylinder::Vec3;
+using spherocylinder::WallParameters;
+
+namespace {
+
+// LIGGGHTS lists rods within its skin of the wall, of which rods that lie still may use none and
+// moving ones half before it lists them anew.
+constexpr double kUsedOfSkin = 0.4;
+
+// 0, 1 or 2 for x, y or z.
+int axis_of(const WallSurface &surface)
+{
+  return surface.direction.x != 0.0 ? 0 : surface.direction.y != 0.0 ? 1 : 2;
+}
+
+}  // namespace
 
 FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, int narg, char **arg)
-    : FixWallGran(lmp, narg, arg), near_rods_(lmp)
+    : FixWallGranSpherocylinder(lmp, WallArguments(lmp, narg, arg))
 {
+}
+
+FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments arguments)
+    : FixWallGran(lmp, static_cast<int>(arguments.others.size()), arguments.others.data()),
+      near_rods_(lmp),
+      arguments_(std::move(arguments))
+{
+  if (arguments_.turns && !primitiveWall_)
+    rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane (got no primitive wall)", id);
+  arguments_.others.clear();  // the deck's line is not kept
+  if (primitiveWall_) check_shear();
+}
+
+void FixWallGranSpherocylinder::check_shear() const
+{
+  const WallSurface surface = surface_of(*primitiveWall_);
+  if (arguments_.turns && surface.is_cylinder)
+    rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane; a cylinder turns by shear along "
+                       "another direction than its axis", id);
+  if (shear_ && !surface.is_cylinder && shearDim_ == axis_of(surface))
+    rod_error_all(lmp,
+                  "Fix wall/gran (id %s): shear %c is along the plane's normal, wanted one along the "
+                  "plane; a plane turns about its normal by turn rate c1 c2, and moves along it by a "
+                  "variable as its position",
+                  id, 'x' + shearDim_);
 }
 
 void FixWallGranSpherocylinder::init()
 {
   FixWallGran::init();
   rod_wall_ = dynamic_cast<RodWall *>(impl);
+  if (has_variable()) find_variable();
   if (primitiveWall_) wall_ = moving_wall();
   near_rods_.forget();
+}
+
+void FixWallGranSpherocylinder::find_variable()
+{
+  std::string &name = arguments_.position_variable;
+  variable_ = input->variable->find(&name[0]);
+  if (variable_ < 0 || !input->variable->equalstyle(variable_))
+    rod_error_all(lmp, "Fix wall/gran (id %s): variable %s for the plane's position must be of style "
+                       "equal (got %s)",
+                  id, name.c_str(), variable_ < 0 ? "none of this name" : "another style");
+}
+
+// The plane goes where the variable is now. It has got there from where it was a step ago.
+void FixWallGranSpherocylinder::move_plane()
+{
+  modify->clearstep_compute();
+  const double position = input->variable->compute_equal(variable_);
+  modify->addstep_compute(update->ntimestep + 1);
+  if (!std::isfinite(position))
+    rod_error_all(lmp, "Fix wall/gran (id %s): variable %s for the plane's position must be a number "
+                       "(got %g at step " BIGINT_FORMAT ")",
+                  id, arguments_.position_variable.c_str(), position, update->ntimestep);
+
+  const double way = position - position_;
+  if (position_step_ == update->ntimestep - 1) {
+    if (thinnest_ > 0.0 && std::fabs(way) > thinnest_)
+      rod_error_one(lmp,
+                    "Fix wall/gran (id %s): the plane jumps by %g at step " BIGINT_FORMAT
+                    ", wanted at most the thinnest rod's radius %g a step",
+                    id, way, update->ntimestep, thinnest_);
+    speed_ = way / update->dt;
+  } else if (position_step_ != update->ntimestep || way != 0.0) {
+    speed_ = 0.0;  // put there between runs
+  }
+  position_ = position;
+  position_step_ = update->ntimestep;
+
+  (primitiveWall_->*member(WallParameters()))[0] = position;
+  wall_ = moving_wall();
+  if (std::fabs(position - listed_position_) > kUsedOfSkin * neighbor->skin)
+    rebuildPrimitiveNeighlist_ = true;
 }
 
 // LIGGGHTS gives `shear` along the cylinder's axis as a velocity, across it as a rate about the
 // axis.
 MovingWall FixWallGranSpherocylinder::moving_wall() const
 {
-  MovingWall wall{surface_of(*primitiveWall_), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
-  if (!shear_) return wall;
-  if (wall.surface.is_cylinder && shearAxis_ >= 0) {
+  constexpr Vec3 kZero = {0.0, 0.0, 0.0};
+  MovingWall wall{surface_of(*primitiveWall_), kZero, kZero, kZero};
+  const WallSurface &surface = wall.surface;
+  if (shear_ && surface.is_cylinder && shearAxis_ >= 0) {
     wall.turning = spherocylinder::load(shearAxisVec_);
-  } else {
+  } else if (shear_) {
     double sliding[3] = {0.0, 0.0, 0.0};
     sliding[shearDim_] = vshear_;
     wall.sliding = spherocylinder::load(sliding);
   }
+  if (arguments_.turns) {
+    double centre[3] = {0.0, 0.0, 0.0};
+    const int axis = axis_of(surface);
+    centre[(axis + 1) % 3] = arguments_.centre[0];
+    centre[(axis + 2) % 3] = arguments_.centre[1];
+    wall.centre = spherocylinder::load(centre);
+    wall.turning = arguments_.turning * surface.direction;
+  }
+  wall.sliding = wall.sliding + speed_ * surface.direction;
   return wall;
+}
+
+void FixWallGranSpherocylinder::pre_neighbor()
+{
+  FixWallGran::pre_neighbor();
+  if (has_variable()) look_at_rods();
+}
+
+// Rods may have come or gone.
+void FixWallGranSpherocylinder::look_at_rods()
+{
+  thinnest_ = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (i == 0 || atom->shape[i][0] < thinnest_) thinnest_ = atom->shape[i][0];
 }
 
 void FixWallGranSpherocylinder::pre_force(int vflag)
 {
-  if (rebuildPrimitiveNeighlist_) near_rods_.forget();
+  if (has_variable()) move_plane();
+  if (rebuildPrimitiveNeighlist_) {
+    near_rods_.forget();
+    listed_position_ = position_;
+  }
   FixWallGran::pre_force(vflag);
 }
 

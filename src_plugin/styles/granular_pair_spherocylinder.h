@@ -13,6 +13,7 @@
 #include "comm.h"
 #include "compute_gran_local_spherocylinder.h"
 #include "core/contact_kinematics.h"
+#include "false_histories.h"
 #include "force.h"
 #include "granular_pair_style.h"
 #include "fix_move_spherocylinder.h"
@@ -23,6 +24,7 @@
 #include "rod_contact.h"
 #include "rod_pair_geometry.h"
 #include "settings.h"
+#include "sudden_overlaps.h"
 
 namespace LIGGGHTS {
 namespace PairStyles {
@@ -41,15 +43,19 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
         monitor_(lmp),
         slider_(lmp),
         linear_(lmp),
-        close_pairs_(lmp)
+        close_pairs_(lmp),
+        false_histories_(lmp),
+        sudden_overlaps_(lmp)
   {
   }
 
   ~GranularSpherocylinder() override
   {
     auto *rods = dynamic_cast<AtomVecSpherocylinder *>(atom->avec);
-    if (rods && rods->pair_counts == &close_pairs_.counts()) rods->pair_counts = nullptr;
-    if (rods && rods->touching_pairs == &touching_pairs_) rods->touching_pairs = nullptr;
+    if (!rods) return;
+    if (rods->pair_counts == &close_pairs_.counts()) rods->pair_counts = nullptr;
+    if (rods->touching_pairs == &touching_pairs_) rods->touching_pairs = nullptr;
+    if (rods->sudden_overlaps == &sudden_overlaps_) rods->sudden_overlaps = nullptr;
   }
 
   int64_t hashcode() override { return model_.hashcode(); }
@@ -60,12 +66,15 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     model_.registerSettings(settings);
     slider_.register_settings(model_, settings);
     settings.registerOnOff("spread_contact", spread_contact_, true);
+    bool sudden_overlap = false;
+    settings.registerOnOff("sudden_overlap", sudden_overlap, false);
     std::vector<char *> others = args_without_close_skin(lmp, nargs, args, close_skin_);
     const int n_others = static_cast<int>(others.size());
     const bool understood = settings.parseArguments(n_others, others.data());
     model_.postSettings(hsetup);
     if (!understood) error->all(FLERR, settings.error_message.c_str());
     batched_ = BatchedLinear<ContactModel>::value && linear_.values().understand(n_others, others.data());
+    sudden_overlaps_.allow(sudden_overlap);
     has_settings_ = true;
   }
 
@@ -88,11 +97,11 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(model_);
     if (batched_)
-      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential,
-                               atom->ntypes);
+      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential);
     close_pairs_.reset(*parent_, close_skin_);
     rods.pair_counts = &close_pairs_.counts();
     rods.touching_pairs = &touching_pairs_;
+    rods.sudden_overlaps = &sudden_overlaps_;
   }
 
   void write_restart_settings(FILE *fp) override
@@ -145,6 +154,8 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   RodKinds kinds_;
   CloseRodPairs close_pairs_;
   TouchingRodPairs touching_pairs_;
+  FalseHistories false_histories_;
+  SuddenOverlaps sudden_overlaps_;
   using Touch = TouchingRodPairs::Touch;
 
   int history_offset(const std::string &name) const;
@@ -257,16 +268,19 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
   int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
   double **first_history = pair->listgranhistory ? pair->listgranhistory->firstdouble : nullptr;
   touching_pairs_.find(close_pairs_.entries(), rods_, atom->tag, first_flags);
+  if (side_offset_ >= 0 && (migrated || update->setupflag))
+    false_histories_.drop(touching_pairs_.touching(), rods_, first_flags, first_history,
+                          pair->dnum(), side_offset_);
   close_pairs_.counts().touching = static_cast<int64_t>(touching_pairs_.touching().size());
 
   auto *local = ComputeGranLocalSpherocylinder::collecting(pair->cpl(), update->ntimestep);
   if (local) local->begin_rows();
   if (batched_ && !local && !single_contacts_wanted(*pair))
     linear_.compute(*pair, touching_pairs_, rods_, motions_, kinds_,
-                    {side_offset_, spring_offset_}, spread_contact_, monitor_);
+                    {side_offset_, spring_offset_}, spread_contact_, monitor_, sudden_overlaps_);
   else
     compute_each(*pair, first_flags, first_history, local);
-
+  sudden_overlaps_.end_step(migrated);
 }
 
 // Whether something in this step asks for more than forces and torques.
@@ -341,7 +355,8 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     sidata.crj = rod_j.radius - half_overlap;
     store(contact.normal, sidata.en);
     store(contact.distance * contact.normal, sidata.delta);
-    if (side && sidata.computeflag && sidata.shearupdate) store(contact.normal, side);
+    if (side && sidata.computeflag && sidata.shearupdate)
+      store(remembered_side(contact.normal, contact.overlap / reach), side);
 
     const RodMotion &motion_i = motions_[i], &motion_j = motions_[j];
     const Vec3 arm_i = contact.s * rod_i.segment.axis, arm_j = contact.t * rod_j.segment.axis;
@@ -351,6 +366,7 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     const double inverse_mass =
         inverse_effective_mass(shown_to(motion_j.inverse, motion_i.inverse), arm_i, normal) +
         inverse_effective_mass(shown_to(motion_i.inverse, motion_j.inverse), arm_j, normal);
+    sudden_overlaps_.look(i, j, 2.0 * contact.overlap / reach, inverse_mass != 0.0);
     if (inverse_mass == 0.0) continue;  // both frozen: nothing to move
     sidata.meff = contact.share / inverse_mass;
 

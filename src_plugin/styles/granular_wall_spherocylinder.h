@@ -45,7 +45,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
                     "planes and the inside of cylinders (primitive)",
                     parent_->id);
     // A wall may be given the pair style's keywords.
-    bool spread_contact = true;
+    bool spread_contact = true, sudden_overlap = false;
     double close_skin = 0.0;
     std::vector<char *> others = args_without_close_skin(lmp, nargs, args, close_skin);
     const int n_others = static_cast<int>(others.size());
@@ -54,6 +54,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
       model.registerSettings(settings);
       slider_.register_settings(model, settings);
       settings.registerOnOff("spread_contact", spread_contact, true);
+      settings.registerOnOff("sudden_overlap", sudden_overlap, false);
       const bool understood = settings.parseArguments(n_others, others.data());
       model.postSettings(hsetup);
       if (!understood) error->fix_error(FLERR, parent_, settings.error_message.c_str());
@@ -69,8 +70,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(models_[0]);
     if (batched_)
-      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential,
-                               atom->ntypes);
+      linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential);
   }
 
   bool checkSurfaceIntersect(SurfacesIntersectData &) override { return true; }
@@ -213,7 +213,7 @@ void GranularSpherocylinder<ContactModel>::compute_rod(FixWallGran &fix, const M
     sidata.meff = 1.0 / (inverse_effective_mass(inverse, arm, contact.normal) + coupling);
     store(velocity_half_a_step_ago(load(atom->v[i]), load(atom->omega[i]), arm, update->dt),
           end_velocity);
-    store(wall.velocity_at(contact), end_wall_velocity);
+    store(wall.velocity_at(contact, rod.segment.centre + arm), end_wall_velocity);
 
     sidata.kn = sidata.kt = 0.0;  // a stock model need not set them
     // Model linear has no history values before the tangential model's, one set an end.

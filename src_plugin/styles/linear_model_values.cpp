@@ -25,13 +25,13 @@ bool LinearModelValues::understand(int nargs, char **args)
       law.slider = on ? SliderLimits::WholeForce : SliderLimits::SpringAlone;
     else if (strcmp(args[k], "aspect_scaling") == 0)
       aspect_scaling = on;
-    else if (strcmp(args[k], "spread_contact") != 0)
+    else if (strcmp(args[k], "spread_contact") != 0 && strcmp(args[k], "sudden_overlap") != 0)
       return false;
   }
   return true;
 }
 
-void LinearModelValues::connect(PropertyRegistry &registry, Tangential tangential, int types)
+void LinearModelValues::connect(PropertyRegistry &registry, Tangential tangential)
 {
   registry.connect("k_n", kn_, "model linear");
   registry.connect("k_t", kt_, "model linear");
@@ -39,7 +39,7 @@ void LinearModelValues::connect(PropertyRegistry &registry, Tangential tangentia
   friction_ = nullptr;
   if (tangential != Tangential::Off) registry.connect("coeffFrict", friction_, "model linear");
   law.tangential = tangential;
-  types_ = types;
+  types_ = registry.max_type();
 }
 
 bool LinearModelValues::have_changed()

@@ -18,7 +18,7 @@ struct LinearModelValues {
   // Keywords behind the models. False if one of them needs the models themselves.
   bool understand(int nargs, char **args);
   // After the models have registered the properties.
-  void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential, int types);
+  void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential);
   // Whether a property is another than at the last call: some fix may change it during a run.
   bool have_changed();
   // Of contact k between materials itype and jtype; `scale`: of the stiffness.
@@ -27,7 +27,7 @@ struct LinearModelValues {
 
  private:
   double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
-  int types_ = 0;
+  int types_ = 0;  // of the properties: LIGGGHTS holds those up to the highest type in use on any rank
   std::vector<double> seen_;  // all properties, of all pairs of materials
 };
 

@@ -59,7 +59,8 @@ void LinearPairForces::set_kinds(int k, int i, int j, const Capsule &rod_i,
 void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
                                const std::vector<Capsule> &rods,
                                const std::vector<RodMotion> &motions, const RodKinds &kinds,
-                               HistoryOffsets offsets, bool spread, ContactMonitor &monitor)
+                               HistoryOffsets offsets, bool spread, ContactMonitor &monitor,
+                               SuddenOverlaps &sudden_overlaps)
 {
   int **first_flags = pair.listgranhistory ? pair.listgranhistory->firstneigh : nullptr;
   double **first_history = pair.listgranhistory ? pair.listgranhistory->firstdouble : nullptr;
@@ -113,15 +114,18 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
     for (int k = 0; k < count; k++) {
       const TouchingRodPairs::Touch &touch = touching[start + k];
       const int i = touch.i, j = touch.j;
+      const double reach = c.radius_i[k] + c.radius_j[k];
+      const double depth = c.overlap[k] / reach;
+      sudden_overlaps.look(i, j, 2.0 * depth, c.inverse_mass[k] != 0.0);
       if (c.inverse_mass[k] == 0.0) continue;  // both frozen: nothing to move
       if (first_flags) first_flags[i][touch.index] |= flag;
       if (first_history) {
         double *history = &first_history[i][dnum * touch.index];
-        if (remember) store(c.side.get(k), history + offsets.side);
+        if (remember)
+          store(remembered_side(c.side.get(k), depth), history + offsets.side);
         if (has_spring) store(c.spring.get(k), history + offsets.spring);
       }
-      monitor.look(i, j, c.stiffness[k], c.effective_mass[k], c.overlap[k],
-                   c.radius_i[k] + c.radius_j[k]);
+      monitor.look(i, j, c.stiffness[k], c.effective_mass[k], c.overlap[k], reach);
       const Vec3 force = c.force.get(k);
       const double relax_i = pair.relax(i);
       add_to(f[i], relax_i * force);

@@ -10,6 +10,7 @@
 #include "pointers.h"
 #include "rod_contact.h"
 #include "rod_kinds.h"
+#include "sudden_overlaps.h"
 #include "touching_rod_pairs.h"
 
 namespace LAMMPS_NS {
@@ -45,7 +46,8 @@ class LinearPairForces : protected Pointers {
   void compute(PairGran &pair, const TouchingRodPairs &pairs,
                const std::vector<spherocylinder::Capsule> &rods,
                const std::vector<RodMotion> &motions, const RodKinds &kinds,
-               HistoryOffsets offsets, bool spread, ContactMonitor &monitor);
+               HistoryOffsets offsets, bool spread, ContactMonitor &monitor,
+               SuddenOverlaps &sudden_overlaps);
 
   // Rods may be of other kinds than before, or materials have changed.
   void forget_kinds() { std::fill_n(kinds_in_batch_, spherocylinder::kBatch, RodKinds::kNone); }

@@ -117,7 +117,7 @@ void LinearWallForces::compute(FixWallGran &fix, const MovingWall &wall,
         continue;
       }
       add(i, wall_type, rod, inverse, ends.arms[end], contact, coupling,
-          wall.velocity_at(contact), spring);
+          wall.velocity_at(contact, rod.segment.centre + ends.arms[end]), spring);
       if (count_ == kBatch) finish_batch(monitor);
     }
   }

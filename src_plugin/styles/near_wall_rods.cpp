@@ -5,8 +5,7 @@
 
 #include "atom.h"
 #include "atom_vec_spherocylinder.h"
-#include "core/largest_components.h"
-#include "update.h"
+#include "rod_shifts.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
@@ -16,24 +15,15 @@ namespace {
 // Skin in diameters of the thickest rod at hand. A wider one is renewed less often and holds more
 // rods: in the settled bed of aspect ratio 30 half as many again as touch.
 constexpr double kSkinInDiameters = 0.5;
+// Of the skin, what ends may come nearer before the list is made anew; the rest is for rounding.
+constexpr double kUsedOfSkin = 0.99;
 
-const AtomVecSpherocylinder &style_of(const Atom &atom)
+AtomVecSpherocylinder &style_of(const Atom &atom)
 {
-  return static_cast<const AtomVecSpherocylinder &>(*atom.avec);
+  return static_cast<AtomVecSpherocylinder &>(*atom.avec);
 }
 
 }  // namespace
-
-// A bound on the speed of any rod's end towards the wall: that of the centre in these directions
-// and h |omega|. Contacts see the velocity that has just moved the rods, so that times the time
-// step it bounds their way.
-double NearWallRods::fastest_end(const WallSurface &surface) const
-{
-  const int rods = atom->nlocal;
-  if (rods == 0) return 0.0;
-  return surface.size_across(largest_components(atom->v[0], rods)) +
-         longest_ * norm(largest_components(atom->omega[0], rods));
-}
 
 bool NearWallRods::is_near(const WallSurface &surface, int i) const
 {
@@ -46,11 +36,15 @@ bool NearWallRods::is_near(const WallSurface &surface, int i) const
 bool NearWallRods::renew(const WallSurface &surface, const int *candidates, int count,
                          int groupbit)
 {
-  if (known_) {
+  RodShifts &shifts = style_of(*atom).rod_shifts();
+  if (known_ && version_ == shifts.version()) {
     if (count == 0) return false;
-    travelled_ += update->dt * fastest_end(surface);
-    if (travelled_ <= 0.5 * skin_) return false;
+    const double nearer = shifts.farthest(longest_) + norm(surface.point - surface_point_);
+    if (nearer <= kUsedOfSkin * skin_) return false;
   }
+  shifts.keep_poses();
+  version_ = shifts.version();
+  surface_point_ = surface.point;
 
   double thickest = 0.0;
   longest_ = 0.0;
@@ -67,7 +61,6 @@ bool NearWallRods::renew(const WallSurface &surface, const int *candidates, int 
     if (!(atom->mask[i] & groupbit)) continue;
     (is_near(surface, i) ? near_ : far_).push_back(i);
   }
-  travelled_ = 0.0;
   known_ = true;
   return true;
 }

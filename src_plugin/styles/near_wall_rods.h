@@ -12,9 +12,8 @@ namespace LAMMPS_NS {
 //
 // LIGGGHTS lists rods whose bounding spheres are near: in a vessel of some rods' lengths that is
 // nearly all of them. This list keeps those with an end nearer than a skin. It is made anew when
-// LIGGGHTS has made its own, and when the ends may have moved half the skin since: all that is
-// looked at in between is how fast the fastest rod is. (The other half is for rods that some fix
-// moves otherwise than by the velocity it gives them at the end of its step.)
+// LIGGGHTS has made its own, and when rods and wall may have come nearer by the skin since: all that
+// is looked at in between is how far the farthest rod has come, whatever moved it.
 class NearWallRods : protected Pointers {
  public:
   explicit NearWallRods(LAMMPS *lmp) : Pointers(lmp) {}
@@ -33,10 +32,10 @@ class NearWallRods : protected Pointers {
   bool known_ = false;
   double skin_ = 0.0;          // m
   double longest_ = 0.0;       // half an axis (m)
-  double travelled_ = 0.0;     // by an end since the list was made, at most (m)
+  int version_ = 0;            // of the poses that the list was made at
+  spherocylinder::Vec3 surface_point_{};  // then
   std::vector<int> near_, far_;
 
-  double fastest_end(const WallSurface &surface) const;
   bool is_near(const WallSurface &surface, int i) const;
 };
 

@@ -17,7 +17,21 @@ struct RodPairGeometry {
   spherocylinder::Vec3 couple;  // on rod i, over the stiffness (m^2)
 };
 
-// `side`: the normal of the last step, null without a history, zero for a new contact. `spread`: nearly
+// What a history keeps of a contact's place: the normal, and in its length the overlap over the sum of
+// the radii (0 to 2, beyond 1 once the axes have passed each other). Never zero.
+inline spherocylinder::Vec3 remembered_side(const spherocylinder::Vec3 &normal, double depth)
+{
+  return (3.0 - depth) * normal;
+}
+
+// From such a side, where p - q was then. `reach`: sum of the radii (m).
+inline spherocylinder::Vec3 remembered_delta(const spherocylinder::Vec3 &side, double reach)
+{
+  const double length = norm(side);
+  return (reach * (length - 2.0) / length) * side;
+}
+
+// `side`: what was remembered in the last step, null without a history, zero for a new contact. `spread`: nearly
 // parallel rods are spread over (core/spread_contact.h).
 //
 // The normal points along p - q. Where the pair was in contact before, it must not turn round:

@@ -46,12 +46,6 @@ struct WallSurface {
   {
     return dot(at - point, direction);
   }
-  // Of a vector's part along the plane's normal, or at right angles to the cylinder's axis.
-  double size_across(const spherocylinder::Vec3 &a) const
-  {
-    const double along = dot(a, direction);
-    return is_cylinder ? norm(a - along * direction) : std::fabs(along);
-  }
   // Whether a rod's centre is where no rod of this wall belongs.
   SPHEROCYLINDER_INLINE bool is_outside(const spherocylinder::Vec3 &centre) const
   {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+// An overlap of this share of the (mean) diameter that was not there in the step before is no impact.
+// An impact that goes up to kWarnedOverlap = 0.5 with the longest step that is not warned about, 0.2
+// of the stability limit 2/omega, begins with at most v dt = (0.5 omega)(0.4/omega) = 0.2; overlaps
+// of less than kWatched are not looked up again.
+constexpr double kSuddenOverlap = 0.25;
+
+// Ends the run where two rods overlap far that did not a step ago: some command or fix has put them
+// there. Knows the deep overlaps of the step before by the rods' ids, on whatever rank they were.
+class SuddenOverlaps : protected Pointers {
+ public:
+  static constexpr double kWatched = 0.05;
+
+  explicit SuddenOverlaps(LAMMPS *lmp) : Pointers(lmp) {}
+
+  // Whether nothing is watched: keyword of the pair style.
+  void allow(bool allowed) { allowed_ = allowed; }
+
+  // Once a contact and step. `overlap`: over the mean diameter; `movable`: either rod can be moved.
+  void look(int i, int j, double overlap, bool movable)
+  {
+    if (overlap > kWatched && !allowed_) note(i, j, overlap, movable);
+  }
+
+  // Once a step, after its contacts. The very first step of all has none before it. `migrated`: rods
+  // may have come from another rank.
+  void end_step(bool migrated);
+
+  // After rods have been given other ids; `new_id(old)` is 0 for a rod that is gone.
+  template <typename NewId>
+  void rename(NewId new_id)
+  {
+    for (Deep &deep : before_) {
+      const int id = new_id(deep.id), other_id = new_id(deep.other_id);
+      deep.id = std::min(id, other_id);
+      deep.other_id = std::max(id, other_id);
+    }
+  }
+
+ private:
+  struct Deep {
+    int id, other_id;  // the lower one first
+    int i, j;          // where they are in this step
+    double overlap;
+    bool movable;
+
+    bool operator<(const Deep &other) const
+    {
+      return id != other.id ? id < other.id : other_id < other.other_id;
+    }
+  };
+  bool allowed_ = false;
+  bool is_first_ = true;
+  std::vector<Deep> now_, before_;
+
+  void note(int i, int j, double overlap, bool movable);
+  void gather_before();
+  [[noreturn]] void end_run(const Deep &found) const;
+};
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "wall_arguments.h"
+
+#include <cstring>
+
+#include "force.h"
+#include "lammps.h"
+#include "rod_checks.h"
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+bool is_variable(const char *text) { return strncmp(text, "v_", 2) == 0; }
+
+char some_position[] = "0.0";
+
+}  // namespace
+
+WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
+{
+  for (int k = 0; k < narg; k++) {
+    if (strcmp(arg[k], "turn") != 0) {
+      others.push_back(arg[k]);
+      continue;
+    }
+    if (k + 3 >= narg)
+      rod_error_all(lmp, "Fix wall/gran (id %s): turn must be followed by a rate and two coordinates of "
+                         "the centre in the plane", arg[0]);
+    turns = true;
+    turning = lmp->force->numeric(FLERR, arg[++k]);
+    for (double &coordinate : centre) coordinate = lmp->force->numeric(FLERR, arg[++k]);
+  }
+
+  // primitive type tp wallstyle position
+  for (size_t k = 0; k + 4 < others.size(); k++) {
+    if (strcmp(others[k], "primitive") != 0) continue;
+    const char *style = others[k + 3];
+    const bool is_plane = strlen(style) == 6 && strcmp(style + 1, "plane") == 0;
+    if (is_plane && is_variable(others[k + 4])) {
+      position_variable = others[k + 4] + 2;
+      others[k + 4] = some_position;
+    }
+    for (size_t m = k + 4; !is_plane && m < k + 7 && m < others.size(); m++)
+      if (is_variable(others[m]))
+        rod_error_all(lmp,
+                      "Fix wall/gran (id %s): a %s must have a radius and an axis that are numbers "
+                      "(got %s); only the position of a plane may be a variable",
+                      arg[0], style, others[m]);
+  }
+}
