@@ -12,10 +12,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include "atom.h"
 #include "error.h"
 #include "finish.h"
+#include "host_build.h"
 #include "host_checks.h"
 #include "host_version.h"
 #include "input.h"
@@ -44,10 +46,16 @@ Function next_symbol(const char *mangled_name)
 void check_host(LAMMPS_NS::LAMMPS *lmp)
 {
   const char *version = lmp->universe->version;
-  if (spherocylinder::is_supported_host(version)) return;
-  char text[300];
-  snprintf(text, sizeof(text), "libspherocylinder: host program must be LIGGGHTS %s (got %s)",
-           spherocylinder::kHostVersion, version ? version : "no version");
+  std::string got;
+  if (!spherocylinder::is_supported_host(version))
+    got = version ? version : "no version";
+  else
+    got = spherocylinder::foreign_build(lmp);
+  if (got.empty()) return;
+  char text[400];
+  snprintf(text, sizeof(text),
+           "libspherocylinder: host program must be LIGGGHTS %s as Debian builds it (got: %s)",
+           spherocylinder::kHostVersion, got.c_str());
   lmp->error->all(FLERR, text);
 }
 

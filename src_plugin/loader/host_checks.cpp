@@ -5,6 +5,7 @@
 #include <string>
 
 #include "atom.h"
+#include "comm.h"
 #include "compute.h"
 #include "domain.h"
 #include "dump.h"
@@ -13,6 +14,7 @@
 #include "host_styles.h"
 #include "lammps.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "output.h"
 #include "region.h"
 #include "styles/atom_vec_spherocylinder.h"
@@ -118,6 +120,31 @@ void check_words(LAMMPS *lmp, const char *command, int narg, char **arg)
     check_change_box(lmp, narg, arg);
 }
 
+// LIGGGHTS finds rods of other ranks and images when it renews its lists. Settings of neigh_modify that
+// put this off let rods pass through each other.
+void renew_lists_in_time(LAMMPS *lmp)
+{
+  Neighbor &neighbor = *lmp->neighbor;
+  if (neighbor.every <= 1 && neighbor.delay <= 1 && !neighbor.build_once) return;
+  if (lmp->comm->me == 0)
+    rod_warning(lmp,
+                "Command neigh_modify with atom_style spherocylinder: every 1 delay 0 check yes are "
+                "used (got every %d delay %d check %s once %s), later ones would miss contacts",
+                neighbor.every, neighbor.delay, neighbor.dist_check ? "yes" : "no",
+                neighbor.build_once ? "yes" : "no");
+  neighbor.every = 1;
+  neighbor.delay = 0;
+  neighbor.dist_check = 1;
+  neighbor.build_once = 0;
+}
+
+void say_if_rods_cannot_touch(LAMMPS *lmp)
+{
+  if (!lmp->force->pair && lmp->comm->me == 0)
+    rod_warning(lmp, "Atom style spherocylinder: there is no pair_style, rods pass through each "
+                     "other");
+}
+
 }  // namespace
 
 void check_command_before(LAMMPS *lmp, const char *command, int narg, char **arg)
@@ -137,6 +164,8 @@ void check_command_after(LAMMPS *lmp)
 void check_styles_at_run_start(LAMMPS *lmp)
 {
   if (!has_rods(lmp)) return;
+  renew_lists_in_time(lmp);
+  if (lmp->update->whichflag == 1) say_if_rods_cannot_touch(lmp);
   check_box(lmp);
   check(lmp, HostKind::Units, lmp->update->unit_style);
   check(lmp, HostKind::Integrate, lmp->update->integrate_style);

@@ -35,7 +35,9 @@ std::vector<HostStyle> command_rows()
       row(kMap, "displace_atoms", kRight, "rotate turns axes and spins, too"),
       row(kMap, "info", kRight, ""),
       row(kMap, "minimize", kRefused, kNoMinimiser),
-      row(kMap, "neigh_modify", kRight, ""),
+      row(kMap, "neigh_modify", kDifferent,
+          "every 1, delay 0, check yes and once no are used, with a warning, where others are given; page and "
+          "one have no meaning for the rods' own lists"),
       row(kMap, "read_data", kRight, "columns: see atom_style spherocylinder"),
       row(kMap, "read_dump", kRefused, "it moves the centres and not the axes; use read_restart or "
                                        "read_data"),

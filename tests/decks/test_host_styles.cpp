@@ -3,6 +3,7 @@
 // and the manual page is the table. That the table names every style there is: test_host_names.cpp.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <ostream>
@@ -198,6 +199,63 @@ TEST(RefusedBox, Dimension2)
   expect_refused(run_deck("dimension 2\natom_style spherocylinder\n"),
                  "Atom style spherocylinder requires a 3d simulation (dimension 3)");
   expect_refused(run_deck(std::string(kBefore) + "dimension 2\nread_data rods.data\n"), sentence);
+}
+
+// A host of the same version that has a function more, which only builds with superquadrics have; their
+// classes are larger.
+TEST(HostBuild, WithSuperquadricsIsRefused)
+{
+  if (SPHEROCYLINDER_SANITIZED) GTEST_SKIP() << "the sanitizers must be loaded first";
+  const DeckFolder folder;
+  folder.write("in.deck", "print hello\n");
+  EXPECT_EQ(folder.run("in.deck").exit_code, 0);
+  setenv("LD_PRELOAD", SUPERQUADRICS, 1);
+  const Outcome outcome = folder.run("in.deck");
+  unsetenv("LD_PRELOAD");
+  expect_refused(outcome,
+                 "libspherocylinder: host program must be LIGGGHTS 3.8.0 as Debian builds it (got: "
+                 "it is built with superquadrics)");
+}
+
+// Two rods that fly at each other from different ranks: settings under which LIGGGHTS would not look
+// for rods of other ranks in time change nothing. That they bounce: momentum of each is turned round.
+TEST(NeighbourSettings, DoNotPutContactsOff)
+{
+  std::string data = kData;
+  data.replace(data.find("1 1 0.01"), std::string::npos,
+               "1 1 0.01 0.1 2700 0 0 -0.4 1 0 0\n2 1 0.01 0.1 2700 0 0 0.4 0 1 0\n\nVelocities\n\n"
+               "1 0 0 10 0 0 0\n2 0 0 -10 0 0 0\n");
+  const auto velocity_after = [&](const std::string &settings) {
+    const DeckFolder folder;
+    folder.write("rods.data", data);
+    folder.write("in.deck", "processors 1 1 2\n" + good_deck() + settings + "\n" +
+                                exact_dump("end.dump", 6000, "id vz") + "run 6000\n");
+    Launch launch;
+    launch.ranks = 2;
+    const Outcome outcome = folder.run("in.deck", launch);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_EQ(outcome.output.find("WARNING: Command neigh_modify") != std::string::npos,
+              settings != "neigh_modify delay 0");
+    return read_dump(folder / "end.dump").back().atoms.at(0, "vz");
+  };
+  const double bounced = velocity_after("neigh_modify delay 0");
+  EXPECT_NEAR(bounced, -5.0, 0.1);  // restitution 0.5
+  for (const char *settings : {"neigh_modify delay 6000", "neigh_modify delay 2000 check no",
+                               "neigh_modify delay 0 every 3000", "neigh_modify delay 0 once yes"})
+    EXPECT_EQ(velocity_after(settings), bounced) << settings;
+}
+
+TEST(NoPairStyle, IsSaid)
+{
+  std::string deck = good_deck() + "atom_modify sort 0 0\nrun 1\n";
+  const size_t pair = deck.find("pair_style");
+  deck.erase(pair, deck.find("fix motion") - pair);
+  const Outcome outcome = run_deck(deck);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("WARNING: Atom style spherocylinder: there is no pair_style, rods pass "
+                                "through each other"),
+            std::string::npos)
+      << outcome.output;
 }
 
 // Another atom style is LIGGGHTS's own affair.
