@@ -10,12 +10,15 @@
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
+#include "read_data.h"
+#include "set.h"
 #include "loader/member_access.h"
 #include "styles/atom_vec_spherocylinder.h"
 #include "styles/balance.h"
 #include "styles/compute_contact_spherocylinder.h"
 #include "styles/compute_erotate_spherocylinder.h"
 #include "styles/compute_gran_local_spherocylinder.h"
+#include "styles/compute_property_atom_spherocylinder.h"
 #include "styles/contact_styles.h"
 #include "styles/delete_atoms_spherocylinder.h"
 #include "styles/displace_rods.h"
@@ -25,11 +28,14 @@
 #include "styles/fix_contact_history_spherocylinder.h"
 #include "styles/fix_freeze_spherocylinder.h"
 #include "styles/fix_heat_gran_spherocylinder.h"
+#include "styles/fix_insert_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_move_spherocylinder.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
 #include "styles/fix_wall_gran_spherocylinder.h"
+#include "styles/read_data_spherocylinder.h"
+#include "styles/set_spherocylinder.h"
 #include "styles/velocity_of_rods.h"
 
 using namespace LAMMPS_NS;
@@ -98,6 +104,19 @@ void run_command_for(LAMMPS *lmp, int narg, char **arg)
     Without(lmp).command(narg, arg);
 }
 
+template <typename OfRods, typename Stock>
+Fix *create_insertion(LAMMPS *lmp, int narg, char **arg)
+{
+  if (has_rods(lmp)) return new OfRods(lmp, InsertionArguments(lmp, narg, arg));
+  return new Stock(lmp, narg, arg);
+}
+
+Compute *create_property_atom(LAMMPS *lmp, int iarg, int narg, char **arg)
+{
+  if (has_rods(lmp)) return new ComputePropertyAtomSpherocylinder(lmp, iarg, narg, arg);
+  return new ComputePropertyAtom(lmp, iarg, narg, arg);
+}
+
 Compute *create_gran_local(LAMMPS *lmp, int iarg, int narg, char **arg)
 {
   if (has_rods(lmp)) return new ComputeGranLocalSpherocylinder(lmp, iarg, narg, arg);
@@ -130,6 +149,10 @@ void add_styles(LAMMPS *lmp)
   fixes["wall/gran"] = &create_fix_for<FixWallGranSpherocylinder, FixWallGran>;
   fixes["heat/gran"] = fixes["heat/gran/conduction"] =
       &create_fix_for<FixHeatGranSpherocylinder, FixHeatGranCond>;
+  fixes["insert/pack"] = &create_insertion<FixInsertPackSpherocylinder, FixInsertPack>;
+  fixes["insert/rate/region"] =
+      &create_insertion<FixInsertRateRegionSpherocylinder, FixInsertRateRegion>;
+  fixes["insert/stream"] = &create_insertion<FixInsertStreamSpherocylinder, FixInsertStream>;
 #define COMPUTE_CLASS
 #define ComputeStyle(key, Class) computes[#key] = &create_compute<Class>;
 #include "styles/compute_contact_spherocylinder.h"
@@ -143,7 +166,10 @@ void add_styles(LAMMPS *lmp)
 #undef COMMAND_CLASS
   commands["delete_atoms"] = &run_command_for<DeleteAtomsSpherocylinder, DeleteAtoms>;
   commands["displace_atoms"] = &run_command_for<DisplaceRods, DisplaceAtoms>;
+  commands["read_data"] = &run_command_for<ReadDataSpherocylinder, ReadData>;
+  commands["set"] = &run_command_for<SetSpherocylinder, Set>;
   commands["velocity"] = &run_command_for<VelocityOfRods, Velocity>;
+  computes["property/atom"] = &create_property_atom;
   computes["pair/gran/local"] = computes["wall/gran/local"] = &create_gran_local;
 }
 

@@ -30,9 +30,6 @@ namespace {
 // for rods to come, too.
 constexpr int kGrowBy = 1024;
 
-// A data file's axis may be off unit length by what printing six digits costs, no more.
-constexpr double kAxisTolerance = 1e-5;
-
 double *put(double *buf, const double *values, int n)
 {
   memcpy(buf, values, n * sizeof(double));
@@ -80,7 +77,7 @@ void AtomVecSpherocylinder::init()
   AtomVec::init();
   bring_histories_to_rods(lmp);  // LIGGGHTS may go on to make its lists anew, without contacts
   check_atom_style_is_alone(lmp);
-  check_rods_after_set(lmp, *this);
+  check_rods_are_whole(lmp, *this);
   images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, true);
   check_contact_styles_know_rods(lmp);
   moved_groups_ = check_each_rod_is_integrated_once(lmp);
@@ -118,8 +115,7 @@ void AtomVecSpherocylinder::grow(int n)
   memory->grow(atom->quaternion, nmax, 4, "atom:quaternion");
   grow_reset();
 
-  // A rod has no blockiness and no vfrac, but a stock dump may read the one and `set volume` write
-  // the other (which is refused at the next run: check_rods_after_set).
+  // A rod has no blockiness and no vfrac, but stock commands may read them.
   for (int i = 0; i < nmax; i++) {
     blockiness[i][0] = blockiness[i][1] = 2.0;
     atom->vfrac[i] = 0.0;
@@ -223,8 +219,9 @@ void AtomVecSpherocylinder::clear_bonus()
 void AtomVecSpherocylinder::set_rod(int i, double diameter, double total_length,
                                     double rod_density)
 {
+  const bool is_whole = diameter > 0.0 && total_length > 0.0;
   const sc::MassProperties properties =
-      sc::mass_properties(diameter, total_length, rod_density);
+      is_whole ? sc::mass_properties(diameter, total_length, rod_density) : sc::MassProperties{};
   radius[i] = 0.5 * total_length;
   density[i] = rod_density;
   rmass[i] = properties.mass;
@@ -551,8 +548,8 @@ int AtomVecSpherocylinder::unpack_restart(double *buf)
    new rods, and data files
 ------------------------------------------------------------------------- */
 
-// A sphere of diameter 1 and density 1, at rest: LIGGGHTS's default for a new particle. Insertion
-// sets the rod afterwards.
+// Of no size yet, density 1, at rest, along z: insertion or the command `set` makes it a rod, and none may
+// enter a run without (check_rods_are_whole).
 void AtomVecSpherocylinder::create_atom(int itype, double *coord)
 {
   const int i = new_atom();
@@ -565,56 +562,20 @@ void AtomVecSpherocylinder::create_atom(int itype, double *coord)
   sc::store(sc::Vec3{0.0, 0.0, 0.0}, omega[i]);
   sc::store(sc::Vec3{0.0, 0.0, 0.0}, angmom[i]);
   sc::store(sc::Quaternion{1.0, 0.0, 0.0, 0.0}, quaternion[i]);
-  set_rod(i, 1.0, 1.0, 1.0);
+  set_rod(i, 0.0, 0.0, 1.0);
   atom->nlocal++;
 }
 
-// id type diameter length density x y z ux uy uz
+// id type diameter length density x y z ux uy uz, as ReadDataSpherocylinder has checked them
 void AtomVecSpherocylinder::data_atom(double *coord, tagint imagetmp, char **values)
 {
-  const int id = atoi(values[0]);
-  if (id <= 0) error->one(FLERR, "Invalid atom ID in Atoms section of data file");
-
-  const auto number = [&](int column, const char *what) {
-    char *end = nullptr;
-    const double value = strtod(values[column], &end);
-    if (end == values[column] || *end != '\0' || !std::isfinite(value))
-      rod_error_one(lmp, "Atoms section of data file, atom %d: %s must be a number (got %s)", id,
-                    what, values[column]);
-    return value;
-  };
-  const int itype = atoi(values[1]);
-  if (itype <= 0 || itype > atom->ntypes)
-    rod_error_one(lmp, "Atoms section of data file, atom %d: type must be 1 to %d (got %s)", id,
-                  atom->ntypes, values[1]);
-  const double diameter = number(2, "diameter");
-  const double length = number(3, "length");
-  const double rod_density = number(4, "density");
-  if (diameter <= 0.0)
-    rod_error_one(lmp, "Atoms section of data file, atom %d: diameter must be > 0 (got %s)", id,
-                  values[2]);
-  if (length < diameter)
-    rod_error_one(lmp,
-                  "Atoms section of data file, atom %d: length is the total length and must be >= "
-                  "the diameter %s (got %s)",
-                  id, values[2], values[3]);
-  if (rod_density <= 0.0)
-    rod_error_one(lmp, "Atoms section of data file, atom %d: density must be > 0 (got %s)", id,
-                  values[4]);
-  const sc::Vec3 axis = {number(8, "ux"), number(9, "uy"), number(10, "uz")};
-  const double axis_length = sc::norm(axis);
-  if (!(std::fabs(axis_length - 1.0) <= kAxisTolerance))
-    rod_error_one(lmp,
-                  "Atoms section of data file, atom %d: axis ux uy uz must have length 1 within "
-                  "%g (got %s %s %s, length %g)",
-                  id, kAxisTolerance, values[8], values[9], values[10], axis_length);
-
-  create_atom(itype, coord);
+  create_atom(atoi(values[1]), coord);
   const int i = atom->nlocal - 1;
-  tag[i] = id;
+  tag[i] = atoi(values[0]);
   image[i] = imagetmp;
-  set_rod(i, diameter, length, rod_density);
-  sc::store(sc::orientation_of((1.0 / axis_length) * axis), quaternion[i]);
+  set_rod(i, atof(values[2]), atof(values[3]), atof(values[4]));
+  const sc::Vec3 axis = {atof(values[8]), atof(values[9]), atof(values[10])};
+  sc::store(sc::orientation_of((1.0 / sc::norm(axis)) * axis), quaternion[i]);
 }
 
 // vx vy vz wx wy wz, space frame

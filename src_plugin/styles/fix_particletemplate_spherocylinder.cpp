@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_insert.h"
+#include "fix_insert_spherocylinder.h"
 #include "fix_particledistribution_discrete.h"
 #include "force.h"
 #include "memory.h"
@@ -235,18 +237,29 @@ void FixParticletemplateSpherocylinder::finalize_insertion()
 
   const char *inserter = "insert";
   bool tries_again = false;
+  double near_faces = 0.0;
   for (int i = 0; i < modify->nfix; i++) {
     auto *insert = dynamic_cast<FixInsert *>(modify->fix[i]);
     if (!insert || !insert->has_inserted()) continue;
     inserter = insert->id;
     tries_again = tries_again || insert->ins_every() > 0;
+    if (const auto *centres = dynamic_cast<const InsertionNearFaces *>(insert))
+      near_faces = centres->share_near_faces(0.5 * total_length_);
   }
+
+  char why[200] = "";
+  if (near_faces > 0.005)
+    snprintf(why, sizeof(why),
+             " (no centre was tried in %.0f %% of its space, nearer than half a rod's length %g to "
+             "a face of a processor's part of the box)",
+             100.0 * near_faces, 0.5 * total_length_);
   if (!tries_again)
     rod_error_all(lmp,
-                  "Fix %s (id %s): insertion %s placed %d of %d rods; use a larger region, fewer "
-                  "rods or more attempts (maxattempt)",
-                  style, id, inserter, total[1], total[0]);
+                  "Fix %s (id %s): insertion %s placed %d of %d rods%s; use a larger region, fewer "
+                  "rods or more attempts (maxattempt)%s",
+                  style, id, inserter, total[1], total[0], why,
+                  *why && comm->nprocs > 1 ? ", or fewer processors or other cuts" : "");
   if (comm->me == 0)
-    rod_warning(lmp, "Fix %s (id %s): insertion %s placed %d of %d rods at this step", style, id,
-                inserter, total[1], total[0]);
+    rod_warning(lmp, "Fix %s (id %s): insertion %s placed %d of %d rods at this step%s", style, id,
+                inserter, total[1], total[0], why);
 }

@@ -126,28 +126,31 @@ void LAMMPS_NS::check_atom_style_is_alone(LAMMPS *lmp)
   rods_of(lmp, "Atom style spherocylinder cannot be part of another style: it");
 }
 
-void LAMMPS_NS::check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods)
+void LAMMPS_NS::check_rods_are_whole(LAMMPS *lmp, AtomVecSpherocylinder &rods)
 {
   const Atom *atom = lmp->atom;
   for (int i = 0; i < atom->nlocal; i++) {
     const double *shape = atom->shape[i];
+    if (shape[0] == 0.0 || shape[2] == 0.0)
+      rod_error_one(lmp,
+                    "Atom style spherocylinder: rod %d, made by create_atoms, has no %s; give it by "
+                    "set ... diameter D length L density RHO",
+                    atom->tag[i], shape[0] == 0.0 ? "diameter" : "length");
     const spherocylinder::MassProperties wanted =
         spherocylinder::mass_properties(2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
-    if (atom->radius[i] != shape[2] || differs(atom->volume[i], wanted.volume) ||
-        atom->vfrac[i] != 0.0)
+    if (atom->radius[i] != shape[2] || differs(atom->volume[i], wanted.volume))
       rod_error_one(lmp,
-                    "Atom style spherocylinder: the size of rod %d (length %g, diameter %g) cannot "
-                    "be changed by set diameter or set volume; define it in the data file or the "
-                    "particle template",
+                    "Atom style spherocylinder: the radius or volume of rod %d (length %g, diameter "
+                    "%g) was changed by itself; the size of a rod is changed by set ... diameter D "
+                    "length L",
                     atom->tag[i], 2.0 * shape[2], 2.0 * shape[0]);
-    if (differs(atom->inertia[i][0], wanted.inertia_transverse)) {
+    if (differs(atom->inertia[i][0], wanted.inertia_transverse))
       rods.set_rod(i, 2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
-    } else if (differs(atom->rmass[i], wanted.mass)) {
+    else if (differs(atom->rmass[i], wanted.mass))
       rod_error_one(lmp,
                     "Atom style spherocylinder: rod %d has mass %g but its size and density %g "
-                    "make %g; use set density instead of set mass",
+                    "make %g; change its density by set density",
                     atom->tag[i], atom->rmass[i], atom->density[i], wanted.mass);
-    }
   }
 }
 

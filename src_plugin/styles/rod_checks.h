@@ -19,6 +19,9 @@ class LAMMPS;
 // Printed by the calling rank.
 void rod_warning(LAMMPS *lmp, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+// A quaternion typed by hand may be off unit length by what three digits cost; it is then normalised.
+constexpr double kQuaternionTolerance = 1e-3;
+
 // The rods' atom style, or an error that names `who` if the simulation has another one.
 AtomVecSpherocylinder &rods_of(LAMMPS *lmp, const char *who);
 
@@ -29,8 +32,8 @@ std::vector<char *> args_without_close_skin(LAMMPS *lmp, int nargs, char **args,
 
 void check_atom_style_is_alone(LAMMPS *lmp);
 
-// `set ... density` re-sizes the mass here; `set ... diameter` and `set ... mass` are refused.
-void check_rods_after_set(LAMMPS *lmp, AtomVecSpherocylinder &rods);
+// Each rod has a size; its mass and inertia follow a density that was changed from outside.
+void check_rods_are_whole(LAMMPS *lmp, AtomVecSpherocylinder &rods);
 
 // Whether the box is so short that two rods may touch through two images at a time; `warn` says so.
 bool check_rods_fit_periodic_box(LAMMPS *lmp, bool warn);

@@ -331,9 +331,9 @@ INSTANTIATE_TEST_SUITE_P(
                  {"communicate single vel yes\n", ""},
                  {"ghost atoms store velocity"}},
         BadInput{"SetDiameter",
-                 {"", "set group all diameter 0.02"},
-                 {"rod", "set diameter", "data file"}},
-        BadInput{"SetMass", {"", "set group all mass 2.0"}, {"rod", "mass 2", "set density"}},
+                 {"", "set group all diameter 0.2"},
+                 {"set", "length of rod", ">= the diameter 0.2", "got 0.1"}},
+        BadInput{"SetMass", {"", "set group all mass 2.0"}, {"mass", "rods", "set density"}},
         BadInput{
             "CapillaryCohesion",
             {"pair_style gran model linear tangential history",
