@@ -27,8 +27,8 @@ std::vector<HostStyle> command_rows()
   return {
       row(kMap, "change_box", kDifferent,
           "remap moves the rods' centres; axes and sizes do not change; no tilt"),
-      row(kMap, "create_atoms", kRefused,
-          "it makes points, not rods; use read_data or fix insert/pack"),
+      row(kMap, "create_atoms", kDifferent,
+          "makes particles without a size, which a run refuses: set ... diameter D length L gives it"),
       row(kMap, "create_box", kRight, "no prism region"),
       row(kMap, "delete_atoms", kRight, "of overlap: by the distance of centres"),
       row(kMap, "delete_bonds", kRefused, kNoBonds),
@@ -46,8 +46,9 @@ std::vector<HostStyle> command_rows()
       row(kMap, "rotate", kRefused, "it turns the centres and not the axes; use displace_atoms rotate"),
       row(kMap, "run", kRight, ""),
       row(kMap, "run_time", kRight, ""),
-      row(kMap, "set", kDifferent, "density: right; diameter, mass and volume are refused at the next "
-                                   "run"),
+      row(kMap, "set", kDifferent,
+          "diameter and length are the rod's own, axis and quat turn it, and all that follows from them "
+          "is set too; mass, volume and inertia are refused"),
       row(kMap, "velocity", kDifferent,
           "zero angular: the rotation of the centres only, as with spheres; setAngular gives angular "
           "momenta"),

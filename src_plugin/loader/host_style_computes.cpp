@@ -70,8 +70,8 @@ std::vector<HostStyle> compute_rows()
       different("pe/atom", "granular contacts have no potential energy: 0"),
       different("pressure", "the contacts' forces times the distance of centres; ke: the centres' "
                             "motion"),
-      different("property/atom", "radius and diameter are half and all of the rod's length; shapex "
-                                 "and shapez half its diameter and half its length"),
+      different("property/atom", "also axis (ux uy uz), quaternion and length; diameter and volume are "
+                                 "the rod's own; radius is the bounding radius, half its length"),
       right("property/local", "of the neighbour lists, which pair bounding spheres"),
       refused("property/molecule", kMolecules),
       different("rdf", kCentres),

@@ -40,8 +40,8 @@ constexpr const char *kInternal = "made by LIGGGHTS itself";
 std::vector<HostStyle> fix_rows()
 {
   return {
-      refused("adapt", "it changes the bounding sphere's diameter and not the rod; insert rods of "
-                       "the wanted size"),
+      refused("adapt", "it changes the bounding sphere's diameter and not the rod; change rods "
+                       "between runs by set ... diameter D length L"),
       right("addforce", kCentre),
       right("ave/atom"),
       right("ave/correlate"),

@@ -140,9 +140,12 @@ void add_places_and_files(std::vector<HostStyle> &rows)
                             "read_data"},
        {"xyz", kRefused, "it has no axes; use read_restart or read_data"}});
   add(rows, HostKind::Insertion,
-      {{"all_in", kRight, ""},
-       {"check_dist_from_subdomain_border", kRight, ""},
-       {"compress_tags", kRight, ""},
+      {{"all_in", kDifferent, "yes: the bounding sphere in the region; for the rod itself use the "
+                              "template's all_in_region"},
+       {"check_dist_from_subdomain_border", kDifferent, "no: on one processor without periodic "
+                                                        "boundaries only"},
+       {"compress_tags", kRefused, "it gives rods new ids that contact histories do not know; leave "
+                                   "it out"},
        {"distributiontemplate", kRight, ""},
        {"duration", kRight, ""},
        {"duration_time", kRight, ""},
@@ -156,8 +159,8 @@ void add_places_and_files(std::vector<HostStyle> &rows)
        {"maxattempt", kRight, ""},
        {"nparticles", kRight, ""},
        {"ntry_mc", kRight, ""},
-       {"omega", kRight, ""},
-       {"orientation", kRight, ""},
+       {"omega", kRight, "insert/stream: from the release on"},
+       {"orientation", kRight, "a quaternion of length 1 to within 0.001 is normalised"},
        {"overlapcheck", kRight, "rods against rods"},
        {"parallel", kRight, ""},
        {"particlerate", kRight, ""},
@@ -170,7 +173,7 @@ void add_places_and_files(std::vector<HostStyle> &rows)
        {"start", kRight, ""},
        {"vel", kRight, ""},
        {"verbose", kRight, ""},
-       {"volumefraction_region", kRight, ""},
+       {"volumefraction_region", kRight, "of the rods' own volume"},
        {"warn_region", kRight, ""}});
 }
 

@@ -122,6 +122,11 @@ InsertionArguments::InsertionArguments(LAMMPS *lmp, int narg, char **arg) : word
       k++;
       continue;
     }
+    if (words_[k] == "compress_tags" && k + 1 < narg && words_[k + 1] == "yes")
+      rod_error_all(lmp,
+                    "Fix %s (id %s): compress_tags yes gives rods new ids that contact histories do "
+                    "not know; leave it out",
+                    arg[2], arg[0]);
     for (const Numbers &wanted : kNumbers) {
       if (words_[k] != wanted.keyword) continue;
       int first = k + 1;
