@@ -72,12 +72,12 @@ std::vector<HostStyle> compute_rows()
                             "motion"),
       different("property/atom", "also axis (ux uy uz), quaternion and length; diameter and volume are "
                                  "the rod's own; radius is the bounding radius, half its length"),
-      right("property/local", "of the neighbour lists, which pair bounding spheres"),
+      refused("property/local", "granular pair styles do not serve it; use compute pair/gran/local"),
       refused("property/molecule", kMolecules),
       different("rdf", kCentres),
       right("reduce"),
       right("reduce/region", "a rod is in the region if its centre is"),
-      right("reduce/sph"),
+      refused("reduce/sph", "it is for smoothed-particle fluids; use compute reduce"),
       refused("rigid", kMultisphere),
       right("slice"),
       different("stress/atom", "half of each contact's force times the distance of centres; ke: the "

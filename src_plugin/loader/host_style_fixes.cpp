@@ -151,7 +151,8 @@ std::vector<HostStyle> fix_rows()
       refused("sph/density/summation", kSph),
       refused("sph/pressure", kSph),
       right("spring", kCentre),
-      right("spring/rg", kCentre),
+      refused("spring/rg", "it asks for masses by type, which rods have not (LIGGGHTS ends in a "
+                           "segmentation fault); use fix spring or fix spring/self"),
       right("spring/self", kCentre),
       right("store/force"),
       right("store/state"),

@@ -283,7 +283,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"ContactForcesStored",
                  {"", "fix mean all continuum/weighted kernel_radius 0.1 kernel_type Wendland "
                       "compute stress"},
-                 {"stores no contact forces", "continuum/weighted", "compute pair/gran/local"}},
+                 {"Fix continuum/weighted (id mean)", "no forces", "compute pair/gran/local"}},
         BadInput{"AtomStyleWithArguments",
                  {"atom_style spherocylinder", "atom_style spherocylinder 10"},
                  {"atom_style spherocylinder", "no arguments"}},
