@@ -78,7 +78,7 @@ long integer(const std::string &word, const char *what, long lowest, long highes
   errno = 0;
   const long value = strtol(word.c_str(), &end, 10);
   if (end == word.c_str() || *end != '\0' || errno != 0 || value < lowest || value > highest) {
-    if (highest >= INT_MAX)
+    if (highest >= INT_MAX - 1)
       fail("%s must be an integer >= %ld (got %s)", what, lowest, shortened(word).c_str());
     fail("%s must be %ld to %ld, an integer (got %s)", what, lowest, highest,
          shortened(word).c_str());

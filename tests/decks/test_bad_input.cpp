@@ -333,6 +333,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"SetDiameter",
                  {"", "set group all diameter 0.2"},
                  {"set", "length of rod", ">= the diameter 0.2", "got 0.1"}},
+        BadInput{"DiameterAdapted",
+                 {"", "variable d equal 0.1+0.0001*step\nfix grow all adapt 10 atom diameter v_d"},
+                 {"Fix adapt (id grow)", "bounding sphere", "set"}},
         BadInput{"SetMass", {"", "set group all mass 2.0"}, {"mass", "rods", "set density"}},
         BadInput{
             "CapillaryCohesion",
