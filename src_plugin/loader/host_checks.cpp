@@ -11,8 +11,10 @@
 #include "dump.h"
 #include "fix.h"
 #include "force.h"
+#include "group.h"
 #include "host_styles.h"
 #include "lammps.h"
+#include "loader/member_access.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
@@ -24,6 +26,13 @@
 using namespace LAMMPS_NS;
 
 namespace spherocylinder {
+
+// Not in an unnamed namespace: ExposeMember's friend is looked up beside it.
+struct GhostGroup {
+  using type = int Comm::*;
+  friend type member(GhostGroup);
+};
+template struct ExposeMember<GhostGroup, &Comm::bordergroup>;
 
 namespace {
 
@@ -138,6 +147,17 @@ void renew_lists_in_time(LAMMPS *lmp)
   neighbor.build_once = 0;
 }
 
+void check_ghosts(LAMMPS *lmp)
+{
+  const int group = lmp->comm->*member(GhostGroup());
+  if (group > 0)
+    rod_error_all(lmp,
+                  "Command communicate with atom_style spherocylinder: group %s leaves out rods of "
+                  "other ranks and images, whose contacts would be missed; use communicate single vel "
+                  "yes",
+                  lmp->group->names[group]);
+}
+
 void say_if_rods_cannot_touch(LAMMPS *lmp)
 {
   if (!lmp->force->pair && lmp->comm->me == 0)
@@ -165,6 +185,8 @@ void check_styles_at_run_start(LAMMPS *lmp)
 {
   if (!has_rods(lmp)) return;
   renew_lists_in_time(lmp);
+  check_ghosts(lmp);
+  check_contact_styles_know_rods(lmp);  // before the pair style looks at stored histories
   if (lmp->update->whichflag == 1) say_if_rods_cannot_touch(lmp);
   check_box(lmp);
   check(lmp, HostKind::Units, lmp->update->unit_style);

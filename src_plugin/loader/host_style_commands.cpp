@@ -65,7 +65,7 @@ std::vector<HostStyle> command_rows()
       row(kBuiltIn, "boundary", kRight, "see its table"),
       row(kBuiltIn, "box", kRight, "tilt has no use: see box styles"),
       row(kBuiltIn, "clear", kRight, ""),
-      row(kBuiltIn, "communicate", kRight, "single, vel yes; multi as for spheres"),
+      row(kBuiltIn, "communicate", kDifferent, "vel yes; group is refused, contacts would be missed"),
       row(kBuiltIn, "compute", kRight, "see its table"),
       row(kBuiltIn, "compute_modify", kRight, ""),
       row(kBuiltIn, "dielectric", kRight, "no charge: no effect"),
@@ -119,14 +119,15 @@ std::vector<HostStyle> command_rows()
       row(kBuiltIn, "thermo", kRight, ""),
       row(kBuiltIn, "thermo_log", kRight, ""),
       row(kBuiltIn, "thermo_modify", kRight, ""),
-      row(kBuiltIn, "thermo_style", kDifferent, "ke, temp, press and pe as the computes of that name"),
+      row(kBuiltIn, "thermo_style", kDifferent, "ke, temp, press and pe as the computes of that name; erotate is refused"),
       row(kBuiltIn, "timestep", kRight, ""),
       row(kBuiltIn, "uncompute", kRight, ""),
       row(kBuiltIn, "undump", kRight, ""),
       row(kBuiltIn, "unfix", kRight, ""),
       row(kBuiltIn, "units", kRight, "see its table"),
-      row(kBuiltIn, "variable", kRight, "atom property r is half the rod's length; region functions "
-                                        "count centres"),
+      row(kBuiltIn, "variable", kDifferent,
+          "atom property r is half the rod's length; functions of groups and regions (ke, angmom, "
+          "inertia, omega, gyration) take rods as points at their centres"),
       row(kBuiltIn, "write_restart_on_signal", kRight, ""),
   };
 }

@@ -79,7 +79,6 @@ void AtomVecSpherocylinder::init()
   check_atom_style_is_alone(lmp);
   check_rods_are_whole(lmp, *this);
   images_may_touch_twice_ = check_rods_fit_periodic_box(lmp, true);
-  check_contact_styles_know_rods(lmp);
   moved_groups_ = check_each_rod_is_integrated_once(lmp);
 }
 
