@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_freeze_spherocylinder.h"
 
-#include <cstring>
-
 #include "atom.h"
 #include "core/vec3.h"
-#include "modify.h"
+#include "fix_move_spherocylinder.h"
 #include "rod_checks.h"
 
 using namespace LAMMPS_NS;
@@ -20,9 +18,7 @@ FixFreezeSpherocylinder::FixFreezeSpherocylinder(LAMMPS *lmp, int narg, char **a
 void FixFreezeSpherocylinder::init()
 {
   FixFreeze::init();
-  driven_ = 0;
-  for (int i = 0; i < modify->nfix; i++)
-    if (strcmp(modify->fix[i]->style, "move") == 0) driven_ |= modify->fix[i]->groupbit;
+  driven_ = groups_of_fix_move(lmp);
   stop_rods();  // before a run's first ghosts get their velocities
 }
 

@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
+#include "fix_move_spherocylinder.h"
 #include "force.h"
 #include "memory.h"
 #include "rod_checks.h"
@@ -72,11 +73,13 @@ FixLimitOmega::~FixLimitOmega()
 
 int FixLimitOmega::setmask() { return END_OF_STEP; }
 
+void FixLimitOmega::init() { driven_ = groups_of_fix_move(lmp); }
+
 void FixLimitOmega::end_of_step()
 {
   acted_last_ = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) limit_rod(i);
+    if ((atom->mask[i] & groupbit) && !(atom->mask[i] & driven_)) limit_rod(i);
   actions_ += acted_last_;
 }
 

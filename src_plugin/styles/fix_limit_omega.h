@@ -18,6 +18,7 @@ class FixLimitOmega : public Fix {
  public:
   FixLimitOmega(LAMMPS *lmp, int narg, char **arg);
   ~FixLimitOmega() override;
+  void init() override;
   int setmask() override;
   void end_of_step() override;
   double compute_vector(int n) override;
@@ -34,6 +35,7 @@ class FixLimitOmega : public Fix {
   enum class Component { Total, Transverse, Axial };
   Component component_ = Component::Total;
   double limit_;                // rad/s
+  int driven_ = 0;              // groups of fix move, which gives the angular velocity itself
   double actions_ = 0.0;        // rods limited, summed over the steps, this rank
   double energy_removed_ = 0.0; // J, this rank
   double acted_last_ = 0.0;     // rods limited in the last step, this rank

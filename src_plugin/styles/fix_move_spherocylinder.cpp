@@ -55,6 +55,14 @@ bool gives_all_directions(char **arg)
 
 }  // namespace
 
+int LAMMPS_NS::groups_of_fix_move(LAMMPS *lmp)
+{
+  int groups = 0;
+  for (int k = 0; k < lmp->modify->nfix; k++)
+    if (strcmp(lmp->modify->fix[k]->style, "move") == 0) groups |= lmp->modify->fix[k]->groupbit;
+  return groups;
+}
+
 int LAMMPS_NS::groups_driven_by_fix_move(LAMMPS *lmp)
 {
   int groups = 0;

@@ -37,6 +37,9 @@ class FixMoveSpherocylinder : public FixMove {
   void check_first_step(int i, const double *before, double angle) const;
 };
 
+// Groups of all these fixes, whose rods' rotation is prescribed; and of those that drive the centres in
+// all directions, too.
+int groups_of_fix_move(LAMMPS *lmp);
 int groups_driven_by_fix_move(LAMMPS *lmp);
 
 }  // namespace LAMMPS_NS

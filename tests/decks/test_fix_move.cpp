@@ -216,6 +216,66 @@ TEST(DrivenRods, RodsAreFreeAfterUnfix)
                error);
 }
 
+// A limit on all rods lets the driven ones turn as they are told.
+TEST(DrivenRods, AreNotLimited)
+{
+  Scene scene = apart("");
+  scene.rods[0].omega = {0.0, 0.0, 50.0};
+  scene.rods[0].axis = {1.0, 0.0, 0.0};
+  scene.physics += "group free id 1\ngroup driven subtract all free\n"
+                   "fix turn driven move rotate 0 0 0 0 0 1 0.3\n"
+                   "fix motion free nve/spherocylinder\nfix limit all limit/omega 5\n";
+  scene.steps = scene.dump_every = 100;
+  const Frame last = run(scene).back();
+  EXPECT_NEAR(norm(last.rods[0].omega), 5.0, 1e-12);
+  for (size_t k = 1; k < 3; k++) {
+    EXPECT_NEAR(last.rods[k].omega.z, 2.0 * kPi / 0.3, 1e-12);
+    EXPECT_LT(norm(last.rods[k].axis -
+                   turned(scene.rods[k].axis, {0.0, 0.0, 1.0}, 2.0 * kPi / 0.3 * last.time)),
+              1e-12);
+  }
+}
+
+// Half a millimetre deep, by a position without a velocity: both ends of a lying rod are on the
+// floor. By a velocity as well, each end's dashpot adds c v with c = 2 beta sqrt(k m_eff).
+TEST(DrivenRods, PressOnTheFloor)
+{
+  for (const bool has_velocity : {false, true}) {
+    Rod rod;
+    rod.position.z = 0.02;
+    Scene scene;
+    scene.rods = {rod};
+    scene.skin = 0.1;
+    scene.dt = 2e-5;
+    scene.steps = 969;
+    const double speed = 0.016 / 1000.0 / scene.dt;
+    char motion[300];
+    snprintf(motion, sizeof(motion),
+             "variable dz equal -%.17g*step*dt\nvariable vz equal -%.17g\n"
+             "fix lower all move variable NULL NULL v_dz NULL NULL %s\n", speed, speed,
+             has_velocity ? "v_vz" : "NULL");
+    const DeckFolder folder;
+    folder.write("rods.data", data_file(scene));
+    folder.write("in.floor",
+                 preamble(scene) + "read_data rods.data\nneighbor 0.1 bin\nneigh_modify delay 0\n" +
+                     contact_commands() +
+                     rod_wall("floor", "linear tangential history", "type 1 zplane 0.0") + motion +
+                     "timestep 2e-5\n" + exact_dump("dump.floor", 969, "id fz") + "run 969\n");
+    const Outcome outcome = folder.run("in.floor");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    const double force = read_dump(folder / "dump.floor").back().atoms.at(0, "fz");
+    const double spring = 2.0 * 2e4 * (0.016 * 0.969 - 0.015);
+    if (!has_velocity) {
+      EXPECT_NEAR(force, spring, 1e-9);
+      continue;
+    }
+    // Each end carries half the rod: 1/m_eff = 2/m.
+    const double beta = -std::log(0.5) / std::hypot(kPi, std::log(0.5));
+    const double damping = 2.0 * 2.0 * beta * std::sqrt(2e4 * 0.5 * rod.mass()) * speed;
+    EXPECT_NEAR(force, spring + damping, 1e-6 * force);
+  }
+}
+
 // Two rods that are both driven press on each other with k times the overlap.
 TEST(DrivenRods, DrivenRodsPressOnEachOther)
 {
