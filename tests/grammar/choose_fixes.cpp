@@ -175,8 +175,9 @@ void deform_box(Draft &draft)
   if (draft.boundary[d] != "p") return;
   draft.effects.deformed = d;
   draft.effects.rate = draft.random.uniform(-3.0, 3.0);
+  draft.effects.every = draft.random.pick({1, 1, 5});
   draft.fix_text += fmt::format("fix squeeze all deform {} {} erate {:.17g} remap {}\n",
-                                draft.random.pick({1, 1, 5}), "xyz"[d], draft.effects.rate,
+                                draft.effects.every, "xyz"[d], draft.effects.rate,
                                 draft.random.pick({"x", "v", "none"}));
   draft.effects.box_changes = true;
   draft.effects.only_internal = false;

@@ -25,9 +25,27 @@ State at_start(const Plan &plan)
 void grow(Box &box, const Run &run, double time)
 {
   const int d = run.effects.deformed;
+  if (d < 0) return;
   const double by = 0.5 * run.effects.rate * time * box.period(d);
   box.lo[d] -= by;
   box.hi[d] += by;
+}
+
+// The box of the run's last step. Contacts of a step know the box before the step's own change.
+Box make_boxes_exact(std::vector<State> &states, const Run &run, const Box &at_start)
+{
+  Box box = at_start;
+  for (State &state : states) {
+    const long steps = state.step - run.first_step;
+    box = at_start;
+    grow(box, run, run.dt * static_cast<double>(steps));
+    make_exact(state.box, box);
+    if (run.effects.deformed < 0 || !state.box.exact || steps == 0) continue;
+    state.box.lo[run.effects.deformed] = at_start.lo[run.effects.deformed];
+    state.box.hi[run.effects.deformed] = at_start.hi[run.effects.deformed];
+    grow(state.box, run, run.dt * static_cast<double>(steps - run.effects.every));
+  }
+  return box;
 }
 
 }  // namespace
@@ -142,14 +160,7 @@ State judge_results(const Plan &plan, const std::filesystem::path &folder,
     std::vector<State> states = read_states(folder / run.dump);
     if (states.empty() || states.back().step != run.first_step + run.steps)
       throw Wrong(fmt::format("no rods of step {}", run.first_step + run.steps));
-    const Box at_start = box;
-    for (State &state : states) {
-      if (run.effects.deformed >= 0) {
-        box = at_start;
-        grow(box, run, run.dt * static_cast<double>(state.step - run.first_step));
-      }
-      make_exact(state.box, box);
-    }
+    box = make_boxes_exact(states, run, box);
     for (const State &state : states) check_state(plan, run, state);
     if (known) check_start(run, last, states.front());
     check_motion(plan, run, states, springs);
