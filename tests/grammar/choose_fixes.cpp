@@ -188,7 +188,8 @@ void deform_box(Draft &draft)
 void add_other_force(Draft &draft)
 {
   Random &random = draft.random;
-  const std::string group = draft.has_part() && random.chance(0.5) ? "part" : "all";
+  const bool rest = !draft.effects.driven.empty() || !draft.effects.still.empty();
+  const std::string group = rest ? "rest" : draft.has_part() && random.chance(0.5) ? "part" : "all";
   const std::string text = random.pick({
       "viscous 0.05", "viscous 1.0", "drag 0.0 0.0 0.0 0.5 0.01", "setforce NULL 0.0 NULL",
       "setforce 0.1 0.0 0.0", "spring/self 50.0", "spring tether 20.0 0.0 0.0 0.0 0.0",
