@@ -172,7 +172,8 @@ void limit_omega(Draft &draft)
 void deform_box(Draft &draft)
 {
   const int d = draft.random.integer(0, 2);
-  if (draft.boundary[d] != "p") return;
+  if (draft.boundary[d] != "p" || !draft.effects.driven.empty() || !draft.effects.still.empty())
+    return;
   draft.effects.deformed = d;
   draft.effects.rate = draft.random.uniform(-3.0, 3.0);
   draft.effects.every = draft.random.pick({1, 1, 5});

@@ -93,7 +93,7 @@ void choose_insertion(Draft &draft)
       text += fmt::format("fix face all mesh/surface/planar file face.stl type 1\n"
                           "fix pour all insert/stream {} nparticles {} particlerate {:.6g} "
                           "insertion_face face extrude_length {:.6g}\n", common, rods,
-                          rods / (draft.dt * 300.0), 1.5 * draft.longest());
+                          rods / (draft.dt * 300.0), 2.5 * draft.longest());
       draft.effects.forces_known = false;  // rods on their way to the face fly at a set speed
       draft.effects.energy_may_grow = true;
       break;

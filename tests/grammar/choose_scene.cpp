@@ -38,7 +38,7 @@ void choose_box(Draft &draft, int rods)
   double volume = 0.0;
   for (const Kind &kind : draft.kinds)
     volume += rods * kind.volume() / static_cast<double>(draft.kinds.size());
-  const double side = std::cbrt(volume / random.pick({0.003, 0.01, 0.03, 0.06, 0.1}));
+  const double side = std::cbrt(volume / random.pick({0.003, 0.03, 0.1, 0.2, 0.3}));
   for (int d = 0; d < 3; d++) {
     const double least =
         draft.longest() * (random.chance(0.1) ? random.uniform(1.05, 2.0) : 2.1) + 0.02;
@@ -191,7 +191,7 @@ void choose_scene(Draft &draft)
 {
   Random &random = draft.random;
   choose_kinds(draft);
-  draft.plan.most_rods = random.pick({1, 2, 3, 5, 8, 12, 16, 20, 30, 40, 60});
+  draft.plan.most_rods = random.pick({1, 2, 4, 8, 12, 16, 20, 30, 40, 60});
   choose_box(draft, draft.plan.most_rods);
   choose_surroundings(draft);
   draft.plan.ranks = random.pick({1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 4});

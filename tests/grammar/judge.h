@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,14 @@ namespace grammar {
 struct Wrong : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// How often each rule was applied and held: a rule that no deck comes under proves nothing.
+struct Held {
+  std::atomic<long> states{0}, contacts{0}, rods_alone{0}, forces_by_pose{0}, starts{0};
+  std::atomic<long> momentum{0}, angular_momentum{0}, energy{0}, energy_kept{0};
+  std::atomic<long> flights{0}, driven{0}, rows{0};
+};
+Held &held();
 
 // A right end: what the dumps and the thermo output of the plan say must agree with what the plan
 // knows. Returns the last run's last state. Throws Wrong.

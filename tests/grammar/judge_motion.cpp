@@ -77,6 +77,7 @@ void check_momentum(const Run &run, const State &from, const State &to, double t
   if (miss > 1e-9 * scale)
     throw Wrong(fmt::format("momentum changed by {:.3g} of {:.3g} from step {} to {}", miss, scale,
                             from.step, to.step));
+  held().momentum++;
   const Box &box = from.box;
   if (box.periodic[0] || box.periodic[1] || box.periodic[2]) return;
   if (norm(run.effects.gravity) > 0.0 || run.effects.omega_limit > 0.0) return;
@@ -84,6 +85,7 @@ void check_momentum(const Run &run, const State &from, const State &to, double t
   if (turn > 1e-8 * (a.angular_scale + b.angular_scale))
     throw Wrong(fmt::format("angular momentum changed by {:.3g} of {:.3g} from step {} to {}", turn,
                             a.angular_scale, from.step, to.step));
+  held().angular_momentum++;
 }
 
 double largest_overlap(const std::vector<Touch> &touches)
@@ -126,11 +128,13 @@ void check_energy(const Plan &plan, const Run &run, const State &from, const Sta
     throw Wrong(fmt::format("kinetic energy {:.4g} at step {}, at most {:.4g} (kinetic and of "
                             "springs at step {}) and work {:.3g}", end, to.step,
                             start + extra * before, from.step, work));
+  held().energy++;
   const bool closed = m.elastic() && m.tangential == "off" && m.rolling.empty() && !m.spread &&
                       run.effects.conservative;
   if (closed && end + after < start + work - tolerance)
     throw Wrong(fmt::format("energy {:.4g} at step {} of elastic rods, {:.4g} at step {}, work "
                             "{:.3g}", end + after, to.step, start, from.step, work));
+  held().energy_kept += closed;
 }
 
 // How far a point of the rod may come in a time; forces that are small beside its motion included.
@@ -174,6 +178,7 @@ void check_flight(const Plan &plan, const Run &run, const State &from, const Sta
     if (other_v > 1e-9 * (norm(wanted_v) + norm(rod.v)) + 1e-14 || off > 1e-9 * size)
       throw Wrong(fmt::format("rod {} met nobody, but to step {} its velocity is off by {:.3g} and "
                               "its place by {:.3g}", id, to.step, other_v, off));
+    held().flights++;
     const Vec3 J = rod.angular_momentum();
     if (run.effects.omega_limit > 0.0 || norm(J) == 0.0) continue;
     if (norm(now.angular_momentum() - J) > 1e-8 * norm(J))
@@ -235,6 +240,7 @@ void check_driven(const Plan &plan, const Run &run, const std::vector<State> &st
       if (start == plan.start.end()) continue;
       const auto driven = run.effects.driven.find(id);
       const bool still = run.effects.still.count(id) > 0;
+      held().driven += still || driven != run.effects.driven.end();
       if (!still && driven == run.effects.driven.end()) continue;
       const double time = run.dt * static_cast<double>(state.step);
       const Rod wanted = still ? start->second : driven->second(start->second, time);

@@ -50,6 +50,12 @@ Box make_boxes_exact(std::vector<State> &states, const Run &run, const Box &at_s
 
 }  // namespace
 
+Held &held()
+{
+  static Held counts;
+  return counts;
+}
+
 std::string sentence_of(const std::string &output)
 {
   std::istringstream in(output);
@@ -116,6 +122,7 @@ void check_rows(const Plan &plan, const std::filesystem::path &file, const State
     if (touch.plain && std::fabs(row[6] - touch.overlap) > 1e-7 * touch.reach)
       throw Wrong(fmt::format("overlap of rods {} and {}: {:.9g}, by search {:.9g}", i, j, row[6],
                               touch.overlap));
+    held().rows++;
   }
   for (const auto &[pair, touch] : touches)
     if (touch.overlap > 1e-8 * touch.reach)

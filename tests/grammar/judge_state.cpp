@@ -105,6 +105,9 @@ void check_forces(const Plan &plan, const Run &run, const State &state,
     const Load &load = loads[id];
     if (load.touches == 0 || (load.plain && plan.material.forces_by_pose()))
       check_load(load, rod, body_force(run.effects, rod), state.step);
+    else
+      continue;
+    (load.touches == 0 ? held().rods_alone : held().forces_by_pose)++;
   }
 }
 
@@ -118,13 +121,15 @@ void check_state(const Plan &plan, const Run &run, const State &state)
                             state.step, plan.most_rods));
   if (!images_are_plain(state)) return;
   const std::vector<Touch> pairs = pair_touches(state, plan.material, 0.0);
+  held().states++;
   if (run.effects.counts_all_pairs) check_contacts(state, pairs);
+  if (run.effects.counts_all_pairs) held().contacts += static_cast<long>(pairs.size());
   if (run.effects.forces_known) check_forces(plan, run, state, pairs);
 }
 
 void check_start(const Run &run, State before, const State &first)
 {
-  if (!run.start_known || run.effects.box_changes) return;
+  if (!run.start_known || run.effects.box_changes || !first.box.exact) return;
   for (const auto &change : run.changes) change(before);
   const auto wrong = [&](const Rod &rod, const std::string &what) {
     throw Wrong(fmt::format("rod {} at the start of the run from step {}: {}", rod.id, first.step,
@@ -160,6 +165,7 @@ void check_start(const Run &run, State before, const State &first)
     if (norm(now->omega - rod.omega) > 1e-8 * (1.0 + norm(rod.omega)))
       wrong(rod, "its angular velocity has changed");
   }
+  held().starts++;
   if (run.effects.inserting) return;
   for (const auto &[id, rod] : first.rods)
     if (!found.count(id)) wrong(rod, "came from nowhere");

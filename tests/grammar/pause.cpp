@@ -26,7 +26,7 @@ bool everyone(const Rod &) { return true; }
 
 void Pause::choose()
 {
-  switch (random_.integer(0, 13)) {
+  switch (random_.integer(0, 14)) {
     case 0:
     case 1:
     case 2: delete_some(); break;
@@ -42,6 +42,7 @@ void Pause::choose()
     case 12:
       if (draft_.plan.ranks > 1) add("balance 1.01 shift xyz 10 1.01\n");
       break;
+    case 13: do_something_seldom(); break;
     default: do_little();
   }
 }
@@ -277,6 +278,8 @@ void Pause::change_box()
     draft_.effects.box_changes = true;
     draft_.effects.energy_may_grow = true;
     draft_.effects.only_internal = false;
+    draft_.effects.driven.clear();
+    draft_.effects.still.clear();
     draft_.can_restart = false;
     return;
   }
@@ -320,6 +323,35 @@ void Pause::exclude()
   draft_.effects.counts_all_pairs = false;
   draft_.effects.forces_known = false;
   draft_.can_restart = false;
+}
+
+// Right or refused: the rods' places, speeds and number are not foreseen, all else must hold.
+void Pause::do_something_seldom()
+{
+  const std::string id = fmt::format("{}", draft_.groups++);
+  add(random_.pick<std::string>(
+      {"minimize 1.0e-4 1.0e-6 10 10\n", "velocity all create 300.0 10007\n",
+       "create_atoms 1 single 0.0 0.0 0.0 units box\n",
+       fmt::format("region new{0} sphere 0.001 0.002 0.003 0.0001 units box\n"
+                   "create_atoms 1 single 0.001 0.002 0.003 units box\ngroup new{0} region new{0}\n"
+                   "set group new{0} diameter 0.004 length 0.008 density 2700 axis 1 1 0\n", id),
+       "read_dump dump.0 0 x y z\n", "read_dump dump.0 0 x y z vx vy vz replace yes\n",
+       "read_dump dump.0 0 x y z purge yes add yes\n", "replicate 2 1 1 offset 1.0 1.0 1.0\n",
+       "rerun dump.0 dump x y z\n", "atom_modify sort 0 0.0\n", "processors * * 1\n",
+       "communicate multi\n", "communicate single vel no\n", "newton on\n", "dimension 2\n",
+       "atom_style sphere\n", "pair_style none\n", "neigh_modify exclude type 1 1\n",
+       "neigh_modify include all\n", "write_restart a_file\n", "write_data a_file\n",
+       "fix motion all nve\n", "unfix motion\n", "pair_coeff 1 1\n", "nonsense\n"}));
+  run_.start_known = false;
+  draft_.plan.most_rods *= 3;
+  draft_.plan.fewest_rods = 0;
+  draft_.plan.twin = Setting::Same;
+  draft_.can_restart = false;
+  draft_.effects.counts_all_pairs = false;
+  draft_.effects.forces_known = false;
+  draft_.effects.energy_may_grow = true;
+  draft_.effects.driven.clear();
+  draft_.effects.still.clear();
 }
 
 void Pause::do_little()

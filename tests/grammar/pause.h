@@ -42,6 +42,7 @@ class Pause {
   void renumber_steps();
   void through_data_file();
   void exclude();
+  void do_something_seldom();
   void do_little();
 };
 

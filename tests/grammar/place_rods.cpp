@@ -42,13 +42,47 @@ bool fits(const Draft &draft, const Rod &rod, double deepest)
   return true;
 }
 
+// Beside a rod that is there already: it touches, or nearly, where the common perpendicular of the
+// axes goes through both.
+void put_beside(Random &random, const Rod &other, double deepest, Rod &rod)
+{
+  const Vec3 across = cross(other.axis, rod.axis);
+  if (norm(across) < 0.05) return;
+  const Vec3 normal = ((random.chance(0.5) ? 1.0 : -1.0) / norm(across)) * across;
+  const double reach = other.radius + rod.radius;
+  const double apart = reach * (1.0 - random.uniform(-0.05, 0.95 * deepest));
+  rod.x = other.x + random.uniform(-1.0, 1.0) * other.half_cylinder() * other.axis + apart * normal -
+          random.uniform(-1.0, 1.0) * rod.half_cylinder() * rod.axis;
+}
+
+// With one end in the wall, or nearly.
+void put_at_wall(Random &random, const Wall &wall, double deepest, Rod &rod)
+{
+  if (wall.cylinder) return;
+  double lower = 1e30;
+  for (const double end : {-1.0, 1.0})
+    lower = std::min(lower,
+                     wall_gap(wall, rod.x + end * rod.half_cylinder() * rod.axis, rod.x));
+  const double inwards = component(rod.x, wall.dim) > wall.position ? 1.0 : -1.0;
+  component(rod.x, wall.dim) +=
+      inwards * (rod.radius * (1.0 - random.uniform(-0.05, 0.95 * deepest)) - lower);
+}
+
+bool in_box(const Box &box, const Vec3 &x)
+{
+  for (int d = 0; d < 3; d++)
+    if (component(x, d) < box.lo[d] || component(x, d) >= box.hi[d]) return false;
+  return true;
+}
+
 }  // namespace
 
 void place_rods(Draft &draft)
 {
   Random &random = draft.random;
   const double fastest = random.pick({0.0, 0.3, 1.0, 1.0, 3.0});
-  const double deepest = random.pick({0.0, 0.0, 0.05, 0.2});
+  const double deepest = random.pick({0.0, 0.02, 0.05, 0.2});
+  const double crowded = random.pick({0.0, 0.5, 0.9});
   const bool gaps_in_ids = draft.making == Making::DataFile && random.chance(0.15);
   int id = 0;
   for (int k = 0; k < draft.plan.most_rods; k++)
@@ -60,7 +94,13 @@ void place_rods(Draft &draft)
         component(rod.x, d) = random.uniform(draft.inside_lo[d], draft.inside_hi[d]);
       rod.v = random.uniform(0.0, fastest) * random.direction();
       rod.omega = random.uniform(0.0, 2.0 * fastest / rod.length) * random.direction();
-      if (!fits(draft, rod, deepest)) continue;
+      if (!draft.rods.empty() && random.chance(crowded))
+        put_beside(random, std::next(draft.rods.begin(), random.integer(0, static_cast<int>(
+                               draft.rods.size()) - 1))->second, deepest, rod);
+      else if (!draft.plan.walls.empty() && random.chance(crowded))
+        put_at_wall(random, draft.plan.walls[random.integer(
+                                0, static_cast<int>(draft.plan.walls.size()) - 1)], deepest, rod);
+      if (!in_box(draft.box, rod.x) || !fits(draft, rod, deepest)) continue;
       id += gaps_in_ids ? random.integer(1, 4) : 1;
       rod.id = id;
       draft.rods[id] = rod;

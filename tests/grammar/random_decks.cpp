@@ -110,6 +110,12 @@ void report(const Options &options, Tally &tally)
   const long decks = options.to - options.from + 1;
   fmt::print("{} decks: {} right ({} of them in a second setting as well), {} refused with a "
              "sentence, {} wrong\n", decks, tally.right, tally.twins, tally.refused, tally.wrong);
+  const Held &h = held();
+  fmt::print("Held: {} states with {} contacts by search, {} rods that touch nothing, {} rods by the "
+             "springs of their contacts, {} starts of runs, {} rows; momentum {}, angular momentum {}, "
+             "energy {} (kept by elastic rods: {}) times; {} free flights, {} driven and held rods\n",
+             h.states.load(), h.contacts.load(), h.rods_alone.load(), h.forces_by_pose.load(), h.starts.load(), h.rows.load(), h.momentum.load(),
+             h.angular_momentum.load(), h.energy.load(), h.energy_kept.load(), h.flights.load(), h.driven.load());
   std::multimap<long, std::string, std::greater<>> by_count;
   for (const auto &[sentence, count] : tally.sentences) by_count.emplace(count, sentence);
   for (const auto &[count, sentence] : by_count) fmt::print("{:6} {}\n", count, sentence);

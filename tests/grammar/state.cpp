@@ -157,8 +157,10 @@ void make_exact(Box &box, const Box &known)
   box.exact = true;
   for (int d = 0; d < 3; d++) {
     if (!box.periodic[d]) continue;
-    const double error = 2e-6 * (std::fabs(known.lo[d]) + std::fabs(known.hi[d]));
-    if (std::fabs(box.lo[d] - known.lo[d]) > error || std::fabs(box.hi[d] - known.hi[d]) > error)
+    const auto differ = [](double rounded, double known_bound) {
+      return std::fabs(rounded - known_bound) > 5.1e-6 * std::fabs(known_bound);
+    };
+    if (differ(box.lo[d], known.lo[d]) || differ(box.hi[d], known.hi[d]))
       box.exact = false;
   }
   for (int d = 0; d < 3; d++)
