@@ -20,6 +20,17 @@ std::string half_space(int d, double cut)
   return bounds;
 }
 
+// displace_atoms puts rods back into the box.
+Vec3 wrapped(Vec3 x, const Box &box)
+{
+  for (int d = 0; d < 3; d++)
+    if (box.periodic[d]) {
+      double &along = component(x, d);
+      along -= box.period(d) * std::floor((along - box.lo[d]) / box.period(d));
+    }
+  return x;
+}
+
 bool everyone(const Rod &) { return true; }
 
 }  // namespace
@@ -56,9 +67,13 @@ void Pause::restart()
 
 void Pause::change(const Has &has, const std::function<void(Rod &)> &what)
 {
-  run_.changes.push_back([=](State &state) {
+  run_.changes.push_back([=, box = draft_.box](State &state) {
     for (auto &[id, rod] : state.rods)
-      if (has(rod)) what(rod);
+      if (has(rod)) {
+        const Vec3 x = rod.x;
+        what(rod);
+        if (norm(rod.x - x) > 0.0) rod.x = wrapped(rod.x, box);
+      }
   });
 }
 
@@ -359,8 +374,10 @@ void Pause::do_little()
   const std::string text = random_.pick(
       {"run 0\n", "neigh_modify every 1 delay 0 check yes\n", "neigh_modify every 2 delay 4\n",
        "print \"a pause\"\n", "fix weight all gravity 0.0 vector 0 0 -1\n"});
+  const bool weight = text.find("gravity") != std::string::npos;
+  if (weight && draft_.fix_text.find("buoyancy") != std::string::npos) return;
   add(text);
-  if (text.find("gravity") == std::string::npos) return;
+  if (!weight) return;
   draft_.effects.gravity = {0.0, 0.0, 0.0};
   draft_.can_restart = false;
 }
