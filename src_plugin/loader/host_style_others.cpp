@@ -105,11 +105,12 @@ void add_places_and_files(std::vector<HostStyle> &rows)
 {
   add(rows, HostKind::Dump,
       {{"atom/vtk", kRefused, kDrawsSpheres},
-       {"custom", kRight, "columns for rods: see atom_style spherocylinder"},
+       {"custom", kDifferent, "columns for rods: see atom_style spherocylinder; diameter is the rod's own, "
+                              "radius the bounding radius, half its length"},
        {"custom/vtk", kDifferent, "a rod is a point; write shapex, shapez and quat1 to quat4 to draw it, "
-                                  "or use rod_vtk"},
+                                  "or use rod_vtk; its diameter is the rod's length"},
        {"custom/vtm", kDifferent, "a rod is a point; write shapex, shapez and quat1 to quat4 to draw it, "
-                                  "or use rod_vtk"},
+                                  "or use rod_vtk; its diameter is the rod's length"},
        {"decomposition/vtk", kRight, ""},
        {"euler/vtk", kRefused, "it needs fix ave/euler, which takes a rod's volume for its bounding "
                                "sphere's; use fix ave/spatial"},

@@ -36,7 +36,7 @@ fix motion all nve/spherocylinder
 }
 
 constexpr const char *kColumns =
-    "id type x y z vx mass shapex shapez radius density quat1 quat2 quat3 quat4 omegax omegay omegaz "
+    "id type x y z vx mass shapex shapez radius diameter density quat1 quat2 quat3 quat4 omegax omegay omegaz "
     "angmomx angmomy angmomz inertiax inertiaz";
 
 // The rods after `commands` and a run of one step of 1e-6 s.
@@ -72,6 +72,7 @@ void expect_rod(const Table &rods, size_t row, double diameter, double length, d
 {
   const auto wanted = spherocylinder::mass_properties(diameter, length, density);
   EXPECT_DOUBLE_EQ(rods.at(row, "shapex"), 0.5 * diameter);
+  EXPECT_DOUBLE_EQ(rods.at(row, "diameter"), diameter);
   EXPECT_DOUBLE_EQ(rods.at(row, "shapez"), 0.5 * length);
   EXPECT_DOUBLE_EQ(rods.at(row, "radius"), 0.5 * length);
   EXPECT_DOUBLE_EQ(rods.at(row, "density"), density);
