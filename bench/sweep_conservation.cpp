@@ -15,6 +15,8 @@ using namespace decks;
 
 namespace {
 
+constexpr double kThinContacts = 300.0;  // duration in shortest contacts, of a thin gas
+
 // Rods of a third to the whole length.
 RodGas mixed_lengths()
 {
@@ -48,41 +50,68 @@ TEST(SweepConservation, MomentumAndAngularMomentum)
                angular.error);
 }
 
-// Units: the initial energy of one rod, kinetic and of contacts.
+// At the closest points, whose contacts hold k overlap^2/2 each. Units: the initial energy of one rod.
 TEST(SweepConservation, EnergyOfAnElasticGas)
 {
   constexpr double contacts = 100.0;  // duration in shortest contacts
   ResultsFile csv("conservation_energy.csv",
-                  "aspect_ratio,spread_contact,steps_per_shortest_contact,dt_s,collisions,"
+                  "aspect_ratio,steps_per_shortest_contact,dt_s,collisions,"
                   "drift_per_collision_over_energy_of_a_rod,"
                   "largest_error_over_energy_of_a_rod,largest_error_over_sqrt_collisions");
-  for (const bool spread : {false, true})
-    for (const double aspect_ratio : {3.0, 10.0, 30.0}) {
-      RodGas gas;
-      gas.aspect_ratio = aspect_ratio;
-      gas.volume_fraction = aspect_ratio < 5.0 ? 0.2 : aspect_ratio < 20.0 ? 0.1 : 0.04;
-      std::vector<double> dt, errors;
-      for (const int steps : {20, 40, 80, 160, 320}) {
-        const EnergyDrift d = energy_of_elastic_gas(gas, steps, contacts, spread);
-        csv.row("{},{},{},{:.3e},{:.0f},{:.2e},{:.2e},{:.2e}", aspect_ratio, spread ? "on" : "off",
-                steps, d.dt, d.collisions, d.drift / d.collisions, d.largest,
-                d.largest / std::sqrt(d.collisions));
-        fmt::print("lambda {:<3} spread_contact {:<3} {:>4} steps: {:.0f} collisions, drift per "
-                   "collision {:+.1e}, largest error {:.1e}\n",
-                   aspect_ratio, spread ? "on" : "off", steps, d.collisions,
-                   d.drift / d.collisions, d.largest);
-        std::fflush(stdout);
-        dt.push_back(d.dt);
-        errors.push_back(d.largest);
-      }
-      const double order = order_of_convergence(dt, errors);
-      fmt::print("lambda {:<3} spread_contact {:<3}: order {:.2f}\n", aspect_ratio,
-                 spread ? "on" : "off", order);
-      // Only the plain closest point has an energy to keep.
-      if (!spread) {
-        EXPECT_GT(order, 1.5) << "aspect ratio " << aspect_ratio;
-      }
+  for (const double aspect_ratio : {3.0, 10.0, 30.0}) {
+    RodGas gas;
+    gas.aspect_ratio = aspect_ratio;
+    gas.volume_fraction = aspect_ratio < 5.0 ? 0.2 : aspect_ratio < 20.0 ? 0.1 : 0.04;
+    std::vector<double> dt, errors;
+    for (const int steps : {20, 40, 80, 160, 320}) {
+      const EnergyDrift d = energy_of_elastic_gas(gas, steps, contacts, false);
+      csv.row("{},{},{:.3e},{:.0f},{:.2e},{:.2e},{:.2e}", aspect_ratio, steps, d.dt, d.collisions,
+              d.drift / d.collisions, d.largest, d.largest / std::sqrt(d.collisions));
+      fmt::print("lambda {:<3} {:>4} steps: {:.0f} collisions, drift per collision {:+.1e}, largest "
+                 "error {:.1e}\n",
+                 aspect_ratio, steps, d.collisions, d.drift / d.collisions, d.largest);
+      std::fflush(stdout);
+      dt.push_back(d.dt);
+      errors.push_back(d.largest);
     }
+    const double order = order_of_convergence(dt, errors);
+    fmt::print("lambda {:<3}: order {:.2f}\n", aspect_ratio, order);
+    EXPECT_GT(order, 1.5) << "aspect ratio " << aspect_ratio;
+  }
+}
+
+// Short rods are spread over at most of their contacts. A thin gas of 60, read while nothing touches.
+TEST(SweepConservation, EnergyBetweenContacts)
+{
+  ResultsFile csv("conservation_short_rods.csv",
+                  "aspect_ratio,spread_contact,steps_per_shortest_contact,collisions,readings,"
+                  "drift_over_energy_of_a_rod,largest_error_over_energy_of_a_rod,"
+                  "largest_change_over_energy_of_a_rod");
+  for (const double aspect_ratio : {1.5, 2.0, 3.0, 5.0, 10.0}) {
+    RodGas gas;
+    gas.rods = 60;
+    gas.aspect_ratio = aspect_ratio;
+    gas.volume_fraction = aspect_ratio < 8.0 ? 0.03 : 0.02;
+    double largest[2] = {0.0, 0.0};
+    for (const bool spread : {false, true}) {
+      std::vector<double> dt, errors;
+      for (const int steps : {20, 80}) {
+        const EnergyBetweenContacts e = energy_between_contacts(gas, steps, kThinContacts, spread);
+        csv.row("{},{},{},{:.0f},{},{:.2e},{:.2e},{:.2e}", aspect_ratio, spread ? "on" : "off", steps,
+                e.collisions, e.readings, e.drift, e.largest, e.largest_change);
+        fmt::print("lambda {:<3} spread_contact {:<3} {:>4} steps: {:.0f} collisions, {} readings, drift "
+                   "{:+.1e}, largest {:.1e}, largest change {:.1e}\n",
+                   aspect_ratio, spread ? "on" : "off", steps, e.collisions, e.readings, e.drift,
+                   e.largest, e.largest_change);
+        std::fflush(stdout);
+        dt.push_back(e.dt);
+        errors.push_back(e.largest);
+        if (steps == 80) largest[spread] = e.largest;
+      }
+      EXPECT_GT(order_of_convergence(dt, errors), 1.5) << "aspect ratio " << aspect_ratio;
+    }
+    EXPECT_LT(largest[1], 2.0 * largest[0]) << "aspect ratio " << aspect_ratio;
+  }
 }
 
 TEST(SweepConservation, RanksAgree)

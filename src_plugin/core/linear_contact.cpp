@@ -58,9 +58,8 @@ SPHEROCYLINDER_INLINE void all_contacts(LinearContacts &c, double dt)
     const Vec3 force = Fn * n + Ft;
     const Vec3 twist = cross(n, Ft);
     c.force.set(k, force);
-    const Vec3 couple = kn * c.couple.get(k);
-    c.torque_i.set(k, cross(arm_i, force) - from_i * twist + couple);
-    c.torque_j.set(k, -cross(arm_j, force) - from_j * twist - couple);
+    c.torque_i.set(k, cross(arm_i, force) - from_i * twist);
+    c.torque_j.set(k, -cross(arm_j, force) - from_j * twist);
     c.inverse_mass[k] = inverse_mass;
     c.effective_mass[k] = effective_mass;
     c.overlap[k] = overlap;

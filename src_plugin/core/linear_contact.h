@@ -34,7 +34,6 @@ struct LinearContacts {
   Doubles overlap;                  // that it feels
   Doubles stiffness, tangential_stiffness;
   Doubles share;                    // of the stiffness that it is worth, see RodContact
-  Vec3s couple;                     // on rod i, over the stiffness (m^2)
   Doubles two_beta;                 // damping 2 beta sqrt(k share m_eff)
   Doubles friction;
   Doubles turning;                  // 1 if the spring turns with the pair about its normal, else 0

@@ -6,15 +6,20 @@
 
 namespace spherocylinder {
 
+// Lengths (m) and, for couples, m^2: what acts over the stiffness of the contact's spring.
 struct RodContact {
   ClosestPoints points;  // where on the two axes it sits
   double overlap;        // that the contact feels: its force is one stiffness times this
-  // overlap over that of the closest point, from 1/2 to 1: the contact is as stiff as this share of
+  // overlap over that of the closest point, about 1/2 to 1: the contact is as stiff as this share of
   // its stiffness, and must be damped for that.
   double share = 1.0;
-  // A couple on rod i, its opposite on rod j, over the stiffness (m^2): see below.
-  Vec3 couple = {0.0, 0.0, 0.0};
+  // What of the force on i is across the normal. It acts at p on i, its opposite at q on j.
+  Vec3 sideways = {0.0, 0.0, 0.0};
+  Vec3 couple_i = {0.0, 0.0, 0.0}, couple_j = {0.0, 0.0, 0.0};  // beside forces at p and q
 };
+
+// The same contact with the rods in the other order.
+RodContact swapped(const RodContact &contact);
 
 // The closest point of two rods jumps from one end of their common length to the other when the
 // angle between them passes zero, and the torque jumps with it. This rule shares one contact among
@@ -26,18 +31,19 @@ struct RodContact {
 // overlap* is that of the closest point, A and B are the ends of the part of one rod beside the other
 // (an end that does not overlap gives 0), h is half the length of the shorter segment, and q for small
 // overlaps the ratio of h to the half length of the patch in which two crossed rods overlap. From q =
-// 1 on the closest point is all. With H_i and H_j half the length side by side on either rod, m =
-// min(H_i, H_j)/max(H_i, H_j) is 1 for parallel rods and lets the rule fade in where rods come to lie
-// side by side; f is 1 up to an overlap of a tenth of the reach and falls smoothly to 0 at the reach,
-// where the axes meet. The stiffness is that of one contact, half of it while a slightly tilted rod
-// touches with one end only. Each of A and B is taken on both rods and averaged, so that the rule does
-// not depend on which rod is i.
+// 1 on the closest point is all. With H_i and H_j half the length side by side on either rod and x =
+// min(H_i, H_j)/max(H_i, H_j), 1 for parallel rods, m = x^2 (3 - 2 x) lets the rule fade in where rods
+// come to lie side by side; f is 1 up to an overlap of a tenth of the reach and falls smoothly to 0 at
+// the reach, where the axes meet. The stiffness is that of one contact, half of it while a slightly
+// tilted rod touches with one end only. Each of A and B is taken on both rods and averaged, so that the
+// rule does not depend on which rod is i.
 //
-// Force and torque are the derivatives of E by the overlaps and by the angle theta: three forces, of
-// which the contact is the resultant,
-//   (1 - g) overlap* + (dE/dg)(dg/d overlap*)/k  at the closest point,  g overlap_A/2 at A and at B,
-// and a couple along u_i x u_j. They are continuous in the pose. Left out are the derivatives of m and
-// f (docs/notes/parallel_rods.md).
+// Force and torque are all of the derivatives of E, so that a motion without friction and damping keeps
+// its energy: three forces along the gaps at the closest point, A and B,
+//   (1 - g) overlap* + (dE/dg)(dg/d overlap*)/k  and  g overlap_A/2, g overlap_B/2,
+// forces along the axes where A or B lies where the other rod ends, since it moves with that, and
+// couples along u_i x u_j of the angle. The contact is their resultant; what it leaves is given as
+// `sideways` and couples (docs/notes/parallel_rods.md).
 //
 // `closest`: what closest_points(i, j) gave, nearer than `reach`, the sum of the radii.
 RodContact spread_contact(const Segment &i, const Segment &j, double reach,

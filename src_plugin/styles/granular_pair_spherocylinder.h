@@ -392,9 +392,13 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
                  rod_j.segment.axis, arm_j, sidata.crj, -normal);
     }
 
-    const Vec3 couple = sidata.kn * contact.couple;
-    add_to(i_forces.delta_torque, cross(arm_i, load(i_forces.delta_F)) + couple);
-    add_to(j_forces.delta_torque, cross(arm_j, load(j_forces.delta_F)) - couple);
+    const Vec3 sideways = sidata.kn * contact.sideways;
+    add_to(i_forces.delta_F, sideways);
+    add_to(j_forces.delta_F, -sideways);
+    add_to(i_forces.delta_torque,
+           cross(arm_i, load(i_forces.delta_F)) + sidata.kn * contact.couple_i);
+    add_to(j_forces.delta_torque,
+           cross(arm_j, load(j_forces.delta_F)) + sidata.kn * contact.couple_j);
     if (sidata.computeflag) {
       add_contact_load(f[i], torque[i], pair.relax(i), i_forces);
       if (j < nlocal) add_contact_load(f[j], torque[j], pair.relax(j), j_forces);

@@ -22,7 +22,6 @@ void LinearPairForces::set_place(int k, const RodPairGeometry &place)
   c.distance[k] = place.distance;
   c.overlap[k] = place.overlap;
   c.share[k] = place.share;
-  c.couple.set(k, place.couple);
 }
 
 void LinearPairForces::set_motion(int k, const Capsule &rod_i, const RodMotion &motion_i,
@@ -54,6 +53,23 @@ void LinearPairForces::set_kinds(int k, int i, int j, const Capsule &rod_i,
   c.turning[k] = spheres ? 0.0 : 1.0;
   values_.set(c, k, atom->type[i], atom->type[j],
               values_.aspect_scaling ? mean_aspect_ratio(rod_i, rod_j) : 1.0);
+}
+
+// What spread contacts push beside their resultant.
+void LinearPairForces::add_spread()
+{
+  LinearContacts &c = contacts_;
+  for (int n = 0; n < spread_count_; n++) {
+    const auto &[k, place] = spread_[n];
+    const double kn = c.stiffness[k];
+    const Vec3 sideways = kn * place.sideways;
+    c.force.set(k, c.force.get(k) + sideways);
+    c.torque_i.set(k, c.torque_i.get(k) + cross(place.s * c.axis_i.get(k), sideways) +
+                          kn * place.couple_i);
+    c.torque_j.set(k, c.torque_j.get(k) - cross(place.t * c.axis_j.get(k), sideways) +
+                          kn * place.couple_j);
+  }
+  spread_count_ = 0;
 }
 
 void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
@@ -96,9 +112,11 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
 
       // Few contacts need more than their closest points; what geometry_of gives minds the side.
       if (touch.distance == 0.0 || (spread && touch.nearly_parallel)) {
-        set_place(k, geometry_of(touch, rods, atom->tag,
-                                 remember ? history + offsets.side : nullptr, spread));
+        const RodPairGeometry place = geometry_of(
+            touch, rods, atom->tag, remember ? history + offsets.side : nullptr, spread);
+        set_place(k, place);
         c.side.set(k, kZero);
+        if (spread && touch.nearly_parallel) spread_[spread_count_++] = {k, place};
       } else {
         set_place(k, closest_geometry(touch, rod_i.radius + rod_j.radius));
       }
@@ -110,6 +128,7 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
     }
 
     linear_contacts(c, values_.law);
+    add_spread();
 
     for (int k = 0; k < count; k++) {
       const TouchingRodPairs::Touch &touch = touching[start + k];

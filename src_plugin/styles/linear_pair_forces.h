@@ -10,13 +10,13 @@
 #include "pointers.h"
 #include "rod_contact.h"
 #include "rod_kinds.h"
+#include "rod_pair_geometry.h"
 #include "sudden_overlaps.h"
 #include "touching_rod_pairs.h"
 
 namespace LAMMPS_NS {
 
 class PairGran;
-struct RodPairGeometry;
 
 // What a contact needs of a rod's motion.
 struct RodMotion {
@@ -56,9 +56,16 @@ class LinearPairForces : protected Pointers {
   LinearModelValues values_;
   spherocylinder::LinearContacts contacts_{};
   int kinds_in_batch_[spherocylinder::kBatch];  // RodKinds::of_pair, of each contact
+  struct Spread {
+    int k;
+    RodPairGeometry place;
+  };
+  Spread spread_[spherocylinder::kBatch];  // those of the batch that are spread over nearly parallel rods
+  int spread_count_ = 0;
 
   // What goes into contact k of the batch.
   void set_place(int k, const RodPairGeometry &place);
+  void add_spread();
   void set_motion(int k, const spherocylinder::Capsule &rod_i, const RodMotion &motion_i,
                   const spherocylinder::Capsule &rod_j, const RodMotion &motion_j);
   void set_kinds(int k, int i, int j, const spherocylinder::Capsule &rod_i,

@@ -11,20 +11,13 @@ using Touch = TouchingRodPairs::Touch;
 
 namespace {
 
-// In the partner's order.
-ClosestPoints swapped(const ClosestPoints &points)
-{
-  return {points.t, points.s, -points.delta, points.distance_squared};
-}
-
 // In the order of the rods' ids, so that all ranks that see a pair get the same bits.
 RodContact spread_over(const Touch &touch, const std::vector<Capsule> &rods, const int *tag,
                        double reach)
 {
   const Segment &i = rods[touch.i].segment, &j = rods[touch.j].segment;
   if (tag[touch.i] < tag[touch.j]) return spread_contact(i, j, reach, touch.points);
-  const RodContact contact = spread_contact(j, i, reach, swapped(touch.points));
-  return {swapped(contact.points), contact.overlap, contact.share, -contact.couple};
+  return swapped(spread_contact(j, i, reach, swapped(RodContact{touch.points, 0.0}).points));
 }
 
 Vec3 common_perpendicular(const Vec3 &u, const Vec3 &v)
@@ -56,6 +49,6 @@ RodPairGeometry LAMMPS_NS::geometry_of(const Touch &touch, const std::vector<Cap
                       : was_touching
                           ? (1.0 / norm(load(side))) * load(side)
                           : common_perpendicular(rod_i.segment.axis, rod_j.segment.axis);
-  return {contact.points.s, contact.points.t, normal,        distance,
-          contact.overlap,  contact.share,    contact.couple};
+  return {contact.points.s, contact.points.t, normal,           distance,        contact.overlap,
+          contact.share,    contact.sideways, contact.couple_i, contact.couple_j};
 }

@@ -14,7 +14,9 @@ struct RodPairGeometry {
   double distance;              // of the points along it, negative once the axes have passed (m)
   double overlap;               // that the contact feels (m)
   double share;                 // of the stiffness, see spherocylinder::RodContact
-  spherocylinder::Vec3 couple;  // on rod i, over the stiffness (m^2)
+  // Beside the models' forces, over the stiffness: see spherocylinder::RodContact.
+  spherocylinder::Vec3 sideways;            // m
+  spherocylinder::Vec3 couple_i, couple_j;  // m^2
 };
 
 // What a history keeps of a contact's place: the normal, and in its length the overlap over the sum of
@@ -48,7 +50,7 @@ inline RodPairGeometry closest_geometry(const TouchingRodPairs::Touch &touch, do
 {
   return {touch.points.s, touch.points.t,         (1.0 / touch.distance) * touch.points.delta,
           touch.distance, reach - touch.distance, 1.0,
-          {0.0, 0.0, 0.0}};
+          {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
 }
 
 // Of two rods' aspect ratios, the harmonic mean: as of two springs in series.

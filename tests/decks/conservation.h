@@ -33,6 +33,19 @@ struct EnergyDrift {
 EnergyDrift energy_of_elastic_gas(const RodGas &gas, int steps_per_contact, double contacts,
                                   bool spread_contact);
 
+// The same, read only while nothing touches, when all energy is kinetic: no matter what the energy of
+// a contact is. For gases so thin that this happens often.
+struct EnergyBetweenContacts {
+  double dt = 0.0;  // s
+  double collisions = 0.0;
+  int readings = 0;
+  double drift = 0.0;           // at the last reading
+  double largest = 0.0;         // at any reading
+  double largest_change = 0.0;  // from one reading to the next
+};
+EnergyBetweenContacts energy_between_contacts(const RodGas &gas, int steps_per_contact,
+                                              double contacts, bool spread_contact);
+
 // How far the trapped gas with damping and friction is from that on one rank. Its rods have several
 // contacts at a time, and forces added in another order differ by round-off.
 struct RankDifference {

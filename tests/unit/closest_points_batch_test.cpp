@@ -27,7 +27,7 @@ bool moved(const RodContact &contact, const ClosestPoints &closest, double reach
 {
   return contact.points.s != closest.s || contact.points.t != closest.t ||
          contact.overlap != reach - std::sqrt(closest.distance_squared) || contact.share != 1.0 ||
-         norm_squared(contact.couple) != 0.0;
+         norm_squared(contact.couple_i) != 0.0 || norm_squared(contact.sideways) != 0.0;
 }
 
 class ClosestPointsBatchOf : public testing::TestWithParam<Family> {

@@ -54,8 +54,7 @@ struct Contact {
   double s, t, distance, overlap;  // the last two before the side is minded
   Vec3 normal, side, spring;
   double kn, kt, two_beta, friction;
-  double share;  // this and the next as spread_contact gives them
-  Vec3 couple;
+  double share;  // as spread_contact gives it
 };
 
 struct Result {
@@ -96,8 +95,6 @@ Contact random_contact(RandomRods &random, double diameter)
   // Half of the contacts feel an overlap of their own, as spread_contact gives them.
   c.share = random.below(2) ? 1.0 : random.uniform(0.5, 1.0);
   c.overlap = (reach - c.distance) * c.share;
-  c.couple = {0.0, 0.0, 0.0};
-  if (c.share != 1.0) c.couple = random.vector(diameter * c.overlap);
   c.normal = random.direction();
   c.i.centre = random.vector(10.0 * diameter);
   c.j.centre = c.i.centre + c.s * c.i.axis - c.distance * c.normal - c.t * c.j.axis;
@@ -124,7 +121,6 @@ Contact swapped(const Contact &c)
   std::swap(other.s, other.t);
   other.normal = -c.normal;
   other.side = -c.side;
-  other.couple = -c.couple;
   other.spring = -c.spring;  // the way i's surface has gone on j's
   return other;
 }
@@ -150,7 +146,6 @@ void set(LinearContacts &all, int k, const Contact &c)
   all.overlap[k] = c.overlap;
   all.stiffness[k] = c.kn;
   all.share[k] = c.share;
-  all.couple.set(k, c.couple);
   all.tangential_stiffness[k] = c.kt;
   all.two_beta[k] = c.two_beta;
   all.friction[k] = c.friction;
@@ -237,16 +232,15 @@ Result by_hand(const Contact &c, const LinearLaw &law, bool turning)
   }
 
   r.force = Fn * n + Ft;
-  const Long3 couple = static_cast<long double>(c.kn) * Long3(c.couple);
-  r.torque_i = cross(arm_i, r.force) + couple;
-  r.torque_j = cross(arm_j, -1.0L * r.force) - couple;
+  r.torque_i = cross(arm_i, r.force);
+  r.torque_j = cross(arm_j, -1.0L * r.force);
   const long double speed = norm(c.i.velocity) + norm(c.j.velocity) +
                             norm(c.i.omega) * norm(arm_i) + norm(c.j.omega) * norm(arm_j);
   r.spring_size = norm(c.spring) + dt * speed;
   r.force_size = (c.kn * (r.overlap + r.spring_size) + (gamma_n + gamma_t) * speed) *
                  (1.0L + c.friction);
   if (r.slides) r.spring_size += r.force_size / c.kt;  // the normal force sets its length
-  r.torque_size = r.force_size * (norm(arm_i) + norm(arm_j)) + norm(couple);
+  r.torque_size = r.force_size * (norm(arm_i) + norm(arm_j));
   return r;
 }
 
