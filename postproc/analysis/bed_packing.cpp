@@ -32,6 +32,18 @@ AspectRatios aspect_ratios(const std::vector<Rod> &rods)
   return ratios;
 }
 
+void need_inner_heights(double floor, double bottom, double top)
+{
+  if (bottom < floor)
+    throw InputError(
+        fmt::format("--inner-bottom: must be at least the floor {} (got {})", floor, bottom));
+  if (!(bottom < top))
+    throw InputError(
+        fmt::format("--inner-bottom, --inner-top: the top must be above the bottom "
+                    "(got bottom {:.6g}, top {:.6g})",
+                    bottom, top));
+}
+
 // Where two rods overlap, and how much.
 struct Overlap {
   Vec3 place;  // half-way between the closest points
@@ -58,6 +70,95 @@ std::vector<Overlap> overlaps_of(const Bed &bed)
     }
   });
   return overlaps;
+}
+
+// The rods that reach into the region, and their images over periodic boundaries that do.
+std::vector<Rod> rods_reaching(const Bed &bed, const UprightBox &region)
+{
+  struct Images {
+    int first, last;
+    double side;
+  };
+  const auto images = [&](const Rod &rod, int d, double centre, double axis, double low,
+                          double high) -> Images {
+    if (!bed.frame.periodic[d]) return {0, 0, 0.0};
+    const double side = bed.frame.box[d][1] - bed.frame.box[d][0];
+    const double reach = rod.capsule.segment.half_length * std::abs(axis) + rod.capsule.radius;
+    return {static_cast<int>(std::ceil((low - reach - centre) / side)),
+            static_cast<int>(std::floor((high + reach - centre) / side)), side};
+  };
+  std::vector<Rod> found;
+  for (const Rod &rod : bed.rods) {
+    const auto &[c, u, half_length] = rod.capsule.segment;
+    const Images x = images(rod, 0, c.x, u.x, region.x_low, region.x_high);
+    const Images y = images(rod, 1, c.y, u.y, region.y_low, region.y_high);
+    const Images z = images(rod, 2, c.z, u.z, region.z_low, region.z_high);
+    for (int i = x.first; i <= x.last; ++i)
+      for (int j = y.first; j <= y.last; ++j)
+        for (int k = z.first; k <= z.last; ++k) {
+          Rod image = rod;
+          image.capsule.segment.centre = c + Vec3{i * x.side, j * y.side, k * z.side};
+          if (!misses(region, image.capsule)) found.push_back(image);
+        }
+  }
+  return found;
+}
+
+// Whether the place, or its image in a periodic box, is in the region.
+bool holds_place(const UprightBox &region, Vec3 place, const DumpFrame &frame)
+{
+  const auto inside = [&](double at, int d, double low, double high) {
+    if (!frame.periodic[d]) return at >= low && at <= high;
+    const double side = frame.box[d][1] - frame.box[d][0];
+    return at + side * std::ceil((low - at) / side) <= high;
+  };
+  return inside(place.x, 0, region.x_low, region.x_high) &&
+         inside(place.y, 1, region.y_low, region.y_high) &&
+         inside(place.z, 2, region.z_low, region.z_high);
+}
+
+RegionPacking pack_box(const Bed &bed, const UprightBox &box, const std::vector<Overlap> &overlaps,
+                       double tolerance)
+{
+  const double space = volume(box);
+  const BoundedVolume solid = solid_within(rods_reaching(bed, box), box, tolerance);
+  double twice = 0.0;
+  for (const Overlap &overlap : overlaps)
+    if (holds_place(box, overlap.place, bed.frame)) twice += overlap.volume.value;
+  return {none, box.z_low, box.z_high, space, solid.value / space, solid.error / space,
+          (solid.value - twice) / space};
+}
+
+// What holds the bed, as box with walls if it is one.
+void measure_in_box(const Bed &bed, const PackingOptions &options,
+                    const std::vector<Overlap> &overlaps, double thinnest, BedPacking &p)
+{
+  if (options.inner.radius) throw InputError("--inner-radius: wanted with --vessel-radius only");
+  need_rods_inside(bed, *options.box);
+  UprightBox whole = *options.box;
+  whole.z_high = p.height.highest_centre;
+  need_height(bed, {0.0, 0.0, 0.0, whole.z_low, whole.z_high});
+  const auto shrunk = [&](double dx, double dy, double dz) {
+    return UprightBox(whole.x_low + dx, whole.x_high - dx, whole.y_low + dy, whole.y_high - dy,
+                      whole.z_low + dz, whole.z_high - dz);
+  };
+  const double space = volume(whole);
+  p.whole = {none, whole.z_low, whole.z_high, space, p.rods_volume / space, 0.0,
+             (p.rods_volume - p.overlap_volume) / space};
+  p.clipped = pack_box(bed, whole, overlaps, options.tolerance);
+
+  const double cut = 0.5 * (1.0 - std::cbrt(0.5));  // off each side, leaves half the volume
+  UprightBox inner = shrunk(cut * (whole.x_high - whole.x_low), cut * (whole.y_high - whole.y_low),
+                            cut * (whole.z_high - whole.z_low));
+  inner.z_low = options.inner.bottom.value_or(inner.z_low);
+  inner.z_high = options.inner.top.value_or(inner.z_high);
+  need_inner_heights(whole.z_low, inner.z_low, inner.z_high);
+  p.inner = pack_box(bed, inner, overlaps, options.tolerance);
+
+  const UprightBox bulk = shrunk(p.bulk_margin, p.bulk_margin, p.bulk_margin);
+  if (std::min({bulk.x_high - bulk.x_low, bulk.y_high - bulk.y_low, bulk.z_high - bulk.z_low}) >=
+      thinnest)
+    p.bulk = pack_box(bed, bulk, overlaps, options.tolerance);
 }
 
 // A vessel with a wall, or a box periodic in x and y, from the floor up to the highest centre.
@@ -118,8 +219,9 @@ class Container {
     const DumpFrame &frame = bed_.frame;
     if (!frame.periodic[0] || !frame.periodic[1])
       throw InputError(fmt::format(
-          "{}: step {}: the box is not periodic in x and y, wanted --vessel-radius", frame.path,
-          frame.step));
+          "{}: step {}: the box is not periodic in x and y, wanted --vessel-radius, --box or "
+          "--region",
+          frame.path, frame.step));
     periodicity_of(frame);  // refuses a tilted or flat box
   }
 
@@ -142,17 +244,10 @@ UprightCylinder inner_region(const Container &container, const InnerOverride &ch
   inner.radius = chosen.radius.value_or(inner.radius);
   inner.z_low = chosen.bottom.value_or(inner.z_low);
   inner.z_high = chosen.top.value_or(inner.z_high);
-  if (inner.z_low < whole.z_low)
-    throw InputError(fmt::format("--inner-bottom: must be at least the floor {} (got {})",
-                                 whole.z_low, inner.z_low));
   if (inner.radius > whole.radius)
     throw InputError(fmt::format("--inner-radius: must be at most the vessel radius {} (got {})",
                                  whole.radius, inner.radius));
-  if (!(inner.z_low < inner.z_high))
-    throw InputError(
-        fmt::format("--inner-bottom, --inner-top: the top must be above the bottom "
-                    "(got bottom {:.6g}, top {:.6g})",
-                    inner.z_low, inner.z_high));
+  need_inner_heights(whole.z_low, inner.z_low, inner.z_high);
   return inner;
 }
 
@@ -205,8 +300,6 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   BedPacking p{};
   p.step = bed.frame.step;
   p.height = bed_height(rods);
-  const Container container(bed, options, p.height);
-
   const std::vector<Vec3> axes = axes_of(rods);
   p.rods = rods.size();
   p.spheres = rods.size() - axes.size();
@@ -214,8 +307,6 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   p.mean_elevation_deg = axes.empty() ? none : mean_elevation(axes).mean * degrees;
   p.mean_sin_gamma = axes.size() < 2 ? none : mean_sin_gamma(axes);
 
-  const UprightCylinder &whole = container.whole();
-  const double space = volume(whole);
   p.rods_volume = total_volume(rods);
   const std::vector<Overlap> overlaps = overlaps_of(bed);
   p.overlaps = overlaps.size();
@@ -223,14 +314,24 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
     p.overlap_volume += overlap.volume.value;
     p.overlap_error += overlap.volume.error;
   }
-  p.whole = {container.has_wall() ? whole.radius : none, whole.z_low, whole.z_high, space,
-             p.rods_volume / space, 0.0, (p.rods_volume - p.overlap_volume) / space};
   p.bulk_margin = options.bulk_margin.value_or(mean_half_length(rods));
   const RegionPacking nowhere{none, none, none, none, none, none, none};
-  if (container.is_closed()) {  // no wall, floor or surface to keep clear of
-    p.clipped = p.inner = p.bulk = nowhere;
+  p.whole = p.clipped = p.inner = p.bulk = p.region = nowhere;
+  if (options.region) {
+    if (bed.frame.box_is_tilted) periodicity_of(bed.frame);  // refused if it is periodic too
+    p.region = pack_box(bed, *options.region, overlaps, options.tolerance);
+    if (!options.holds_bed(bed.frame)) return p;
+  }
+  if (options.box) {
+    measure_in_box(bed, options, overlaps, mean_diameter(rods), p);
     return p;
   }
+  const Container container(bed, options, p.height);
+  const UprightCylinder &whole = container.whole();
+  const double space = volume(whole);
+  p.whole = {container.has_wall() ? whole.radius : none, whole.z_low, whole.z_high, space,
+             p.rods_volume / space, 0.0, (p.rods_volume - p.overlap_volume) / space};
+  if (container.is_closed()) return p;  // no wall, floor or surface to keep clear of
   p.clipped = container.pack(whole);
   p.inner = container.pack(inner_region(container, options.inner));
   p.bulk = container.pack(bulk_region(container, p.bulk_margin, mean_diameter(rods)));
@@ -278,6 +379,10 @@ Fields<BedPacking> packing_fields()
   add_measured("vf_bulk", [](const P &p) { return p.bulk.fraction; });
   add_measured("vf_bulk_net", [](const P &p) { return p.bulk.net_fraction; });
   add("vf_bulk_integration_error", [](const P &p) { return p.bulk.error; });
+  add("region_volume_m3", [](const P &p) { return p.region.volume; });
+  add_measured("vf_region", [](const P &p) { return p.region.fraction; });
+  add_measured("vf_region_net", [](const P &p) { return p.region.net_fraction; });
+  add("vf_region_integration_error", [](const P &p) { return p.region.error; });
   add("overlap_pairs", [](const P &p) { return p.overlaps; });
   add("overlap_volume_m3", [](const P &p) { return p.overlap_volume; });
   add("overlap_volume_integration_error_m3", [](const P &p) { return p.overlap_error; });
@@ -298,6 +403,16 @@ Fields<BedPacking> packing_fields()
 PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, double width)
 {
   const BedHeight height = bed_height(bed.rods);
+  const auto top_bin = [&](double floor) {
+    return width * std::ceil((height.highest_point - floor) / width);
+  };
+  if (options.box) {
+    const UprightBox &box = *options.box;
+    const double section = (box.x_high - box.x_low) * (box.y_high - box.y_low);
+    return {height_profile(bed.rods, section, box.z_low, bin_edges(0.0, top_bin(box.z_low), width)),
+            {},
+            {}};
+  }
   const Container container(bed, options, height);
   const UprightCylinder &whole = container.whole();
   const double section = volume(whole) / (whole.z_high - whole.z_low);
@@ -307,8 +422,8 @@ PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, 
                                      bin_edges(0.0, whole.z_high - whole.z_low, width));
     return profiles;
   }
-  const double top = width * std::ceil((height.highest_point - whole.z_low) / width);
-  profiles.height = height_profile(bed.rods, section, whole.z_low, bin_edges(0.0, top, width));
+  profiles.height =
+      height_profile(bed.rods, section, whole.z_low, bin_edges(0.0, top_bin(whole.z_low), width));
   if (!container.has_wall()) return profiles;
   profiles.radius = radius_profile(bed.rods, whole, bin_edges(0.0, whole.radius, width),
                                    options.tolerance);

@@ -14,11 +14,19 @@
 namespace spherocylinder {
 
 struct PackingOptions {
-  std::optional<Vessel> vessel;  // nothing: the dump's box, periodic in x and y
+  std::optional<Vessel> vessel;     // or
+  std::optional<UprightBox> box;    // with walls; or neither: the dump's box, periodic in x and y
+  std::optional<UprightBox> region; // any, whatever holds the bed; alone, nothing else is measured
   double floor = 0.0;            // of that box, unless it is periodic in z too (m)
   InnerOverride inner;
   std::optional<double> bulk_margin;  // m
   double tolerance = 1e-4;
+
+  // Whether more than the region is asked for.
+  bool holds_bed(const DumpFrame &frame) const
+  {
+    return vessel || box || (frame.periodic[0] && frame.periodic[1]);
+  }
 };
 
 struct AspectRatios {
@@ -30,7 +38,7 @@ struct AspectRatios {
 
 // The solid of a region, its overlaps counted twice and once. NaN where there is no such region.
 struct RegionPacking {
-  double radius;       // m, NaN for a layer of a periodic box
+  double radius;       // m, NaN for a box and a layer of a periodic one
   double bottom, top;  // m
   double volume;       // m^3
   double fraction;
@@ -54,6 +62,7 @@ struct BedPacking {
   RegionPacking inner;
   double bulk_margin;       // m
   RegionPacking bulk;
+  RegionPacking region;  // the user's own
 
   bool has_rods() const { return spheres < rods; }  // for which there are theories
 };

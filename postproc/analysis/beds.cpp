@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "analysis/beds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -118,6 +119,30 @@ void add_vessel_options(CLI::App &app, VesselOptions &options)
   app.add_option("--floor", options.floor,
                  "height Z of the floor (m), default 0 with --vessel-radius, else there is none")
       ->check(finite_number());
+}
+
+UprightBox box_of(const std::vector<double> &bounds, const std::string &option)
+{
+  for (const std::size_t k : {0, 2, 4})
+    if (!(bounds[k] < bounds[k + 1]))
+      throw InputError(fmt::format("{}: the upper bound in {} must be above the lower (got {} {})",
+                                   option, "xyz"[k / 2], bounds[k], bounds[k + 1]));
+  return {bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]};
+}
+
+void need_rods_inside(const Bed &bed, const UprightBox &box)
+{
+  const auto is_outside = [&](const Rod &rod) {
+    const Vec3 &c = rod.capsule.segment.centre;
+    return c.x < box.x_low || c.x > box.x_high || c.y < box.y_low || c.y > box.y_high ||
+           c.z < box.z_low || c.z > box.z_high;
+  };
+  const auto outside = std::count_if(bed.rods.begin(), bed.rods.end(), is_outside);
+  if (outside > 0)
+    throw InputError(fmt::format(
+        "{}: step {}: {} of {} rod centres are outside the box {} {} {} {} {} {}, wanted none",
+        bed.frame.path, bed.frame.step, outside, bed.rods.size(), box.x_low, box.x_high, box.y_low,
+        box.y_high, box.z_low, box.z_high));
 }
 
 void need_height(const Bed &bed, const UprightCylinder &whole)

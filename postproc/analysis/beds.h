@@ -50,10 +50,14 @@ struct VesselOptions {
 // Adds --vessel-radius, --centre and --floor.
 void add_vessel_options(CLI::App &app, VesselOptions &options);
 
+// The box of the six numbers that follow `option`. Throws InputError unless it has an inside.
+UprightBox box_of(const std::vector<double> &bounds, const std::string &option);
+
 // Throws InputError unless the highest centre lies above the bottom of the vessel or box.
 void need_height(const Bed &bed, const UprightCylinder &whole);
 
 // Throws InputError if centres of rods lie outside.
 void need_rods_inside(const Bed &bed, const Vessel &vessel);
+void need_rods_inside(const Bed &bed, const UprightBox &box);
 
 }  // namespace spherocylinder

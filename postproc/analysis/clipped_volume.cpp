@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "analysis/numbers.h"
 #include "analysis/plane_volume.h"
@@ -24,7 +26,7 @@ double clamp_to(double value, double low, double high)
   return std::min(std::max(value, low), high);
 }
 
-// Closest point of the solid cylinder to p.
+// Closest point of the solid body to p.
 Vec3 closest_point(const UprightCylinder &cylinder, const Vec3 &p)
 {
   const double dx = p.x - cylinder.x;
@@ -35,14 +37,154 @@ Vec3 closest_point(const UprightCylinder &cylinder, const Vec3 &p)
           clamp_to(p.z, cylinder.z_low, cylinder.z_high)};
 }
 
-// Position along the segment that is nearest to the cylinder. The distance to a convex body is
+Vec3 closest_point(const UprightBox &box, const Vec3 &p)
+{
+  return {clamp_to(p.x, box.x_low, box.x_high), clamp_to(p.y, box.y_low, box.y_high),
+          clamp_to(p.z, box.z_low, box.z_high)};
+}
+
+Vec3 middle_of(const UprightCylinder &cylinder)
+{
+  return {cylinder.x, cylinder.y, 0.5 * (cylinder.z_low + cylinder.z_high)};
+}
+
+Vec3 middle_of(const UprightBox &box)
+{
+  return {0.5 * (box.x_low + box.x_high), 0.5 * (box.y_low + box.y_high),
+          0.5 * (box.z_low + box.z_high)};
+}
+
+constexpr double out_of_reach = std::numeric_limits<double>::max();
+
+double volume_between(const Capsule &rod, double z_low, double z_high)
+{
+  return volume_below(rod, z_high) - volume_below(rod, z_low);
+}
+
+// What the body leaves of a rod that only parallel planes of it cut.
+std::optional<double> volume_cut_by_planes(const UprightCylinder &c, const Capsule &rod)
+{
+  if (!holds({c.x, c.y, c.radius, -out_of_reach, out_of_reach}, rod)) return std::nullopt;
+  return volume_between(rod, c.z_low, c.z_high);
+}
+
+std::optional<double> volume_cut_by_planes(const UprightBox &b, const Capsule &rod)
+{
+  constexpr double all = out_of_reach;
+  if (holds(UprightBox(b.x_low, b.x_high, b.y_low, b.y_high, -all, all), rod))
+    return volume_between(rod, b.z_low, b.z_high);
+  Capsule turned = rod;  // with x or y up
+  Vec3 &centre = turned.segment.centre, &axis = turned.segment.axis;
+  if (holds(UprightBox(-all, all, b.y_low, b.y_high, b.z_low, b.z_high), rod)) {
+    std::swap(centre.x, centre.z);
+    std::swap(axis.x, axis.z);
+    return volume_between(turned, b.x_low, b.x_high);
+  }
+  if (holds(UprightBox(b.x_low, b.x_high, -all, all, b.z_low, b.z_high), rod)) {
+    std::swap(centre.y, centre.z);
+    std::swap(axis.y, axis.z);
+    return volume_between(turned, b.y_low, b.y_high);
+  }
+  return std::nullopt;
+}
+
+// An empty one has low >= high.
+struct Interval {
+  double low, high;
+};
+
+// Lines in the horizontal plane through the rod's centre, at right angles to `normal` and at the
+// offset x from the centre along it; t runs along them from the point nearest to the centre. Of the
+// disc or rectangle that a body leaves in that plane: the offsets between which it lies, and the
+// part of a line that is in it.
+class Disc {
+ public:
+  Disc(const UprightCylinder &cylinder, const Vec3 &centre, const Vec3 &normal, const Vec3 &along)
+      : radius_(cylinder.radius)
+  {
+    const Vec3 to_axis{cylinder.x - centre.x, cylinder.y - centre.y, 0.0};
+    x_ = dot(to_axis, normal);
+    t_ = dot(to_axis, along);
+  }
+
+  Interval offsets() const { return {x_ - radius_, x_ + radius_}; }
+
+  Interval chord(double x) const
+  {
+    const double from_axis = x - x_;
+    const double half_width_squared = (radius_ - from_axis) * (radius_ + from_axis);
+    if (half_width_squared <= 0.0) return {0.0, 0.0};
+    const double half_width = std::sqrt(half_width_squared);
+    return {t_ - half_width, t_ + half_width};
+  }
+
+ private:
+  double radius_, x_, t_;
+};
+
+class Quadrangle {
+ public:
+  Quadrangle(const UprightBox &box, const Vec3 &centre, const Vec3 &normal, const Vec3 &along)
+      : sides_{{{box.x_low - centre.x, box.x_high - centre.x}, normal.x, along.x},
+               {{box.y_low - centre.y, box.y_high - centre.y}, normal.y, along.y}}
+  {
+  }
+
+  Interval offsets() const
+  {
+    Interval found{0.0, 0.0};
+    for (const Side &side : sides_) {
+      const double at_low = side.room.low * side.normal, at_high = side.room.high * side.normal;
+      found.low += std::min(at_low, at_high);
+      found.high += std::max(at_low, at_high);
+    }
+    return found;
+  }
+
+  Interval chord(double x) const
+  {
+    Interval found{-out_of_reach, out_of_reach};
+    for (const Side &side : sides_) {
+      const double at = x * side.normal;
+      if (side.along == 0.0) {
+        if (at <= side.room.low || at >= side.room.high) return {0.0, 0.0};
+        continue;
+      }
+      const double to_low = (side.room.low - at) / side.along;
+      const double to_high = (side.room.high - at) / side.along;
+      found.low = std::max(found.low, std::min(to_low, to_high));
+      found.high = std::min(found.high, std::max(to_low, to_high));
+    }
+    return found;
+  }
+
+ private:
+  struct Side {  // in one of x and y
+    Interval room;
+    double normal, along;  // components
+  };
+  Side sides_[2];
+};
+
+Disc footprint(const UprightCylinder &c, const Vec3 &centre, const Vec3 &normal, const Vec3 &along)
+{
+  return {c, centre, normal, along};
+}
+
+Quadrangle footprint(const UprightBox &b, const Vec3 &centre, const Vec3 &normal, const Vec3 &along)
+{
+  return {b, centre, normal, along};
+}
+
+// Position along the segment that is nearest to the body. The distance to a convex body is
 // convex along a line, so shrinking a bracket by the golden section finds its minimum.
-double position_nearest(const UprightCylinder &cylinder, const Segment &segment)
+template <class Body>
+double position_nearest(const Body &body, const Segment &segment)
 {
   constexpr double golden = 0.6180339887498949;
   constexpr int steps = 80;  // golden^80 < 1e-16
   const auto distance = [&](double s) {
-    return norm_squared(segment.at(s) - closest_point(cylinder, segment.at(s)));
+    return norm_squared(segment.at(s) - closest_point(body, segment.at(s)));
   };
   double low = -segment.half_length;
   double high = segment.half_length;
@@ -68,39 +210,42 @@ double position_nearest(const UprightCylinder &cylinder, const Segment &segment)
   return 0.5 * (low + high);
 }
 
+// Horizontal and along the rod's axis, for an upright rod anywhere.
+Vec3 heading_of(const Vec3 &axis)
+{
+  const double horizontal = std::hypot(axis.x, axis.y);
+  return horizontal > 0.0 ? Vec3{axis.x / horizontal, axis.y / horizontal, 0.0}
+                          : Vec3{1.0, 0.0, 0.0};
+}
+
+Vec3 normal_to(const Vec3 &heading) { return {-heading.y, heading.x, 0.0}; }
+
 // The planes x = const: x runs along `normal`, horizontal and at right angles to the rod.
+template <class Body>
 class Sections {
  public:
-  Sections(const Capsule &capsule, const UprightCylinder &cylinder)
-      : half_length_(capsule.segment.half_length), radius_(capsule.radius), cylinder_(cylinder)
+  Sections(const Capsule &capsule, const Body &body)
+      : half_length_(capsule.segment.half_length), radius_(capsule.radius),
+        normal_(normal_to(heading_of(capsule.segment.axis))),
+        footprint_(footprint(body, capsule.segment.centre, normal_,
+                             heading_of(capsule.segment.axis)))
   {
     const Vec3 &u = capsule.segment.axis;
-    const Vec3 &c = capsule.segment.centre;
-    const double horizontal = std::hypot(u.x, u.y);
-    const Vec3 t_direction =
-        horizontal > 0.0 ? Vec3{u.x / horizontal, u.y / horizontal, 0.0} : Vec3{1.0, 0.0, 0.0};
-    normal_ = {-t_direction.y, t_direction.x, 0.0};
-    const Vec3 to_axis{cylinder.x - c.x, cylinder.y - c.y, 0.0};
-    axis_x_ = dot(to_axis, normal_);
-    axis_t_ = dot(to_axis, t_direction);
-    z_low_ = cylinder.z_low - c.z;
-    z_high_ = cylinder.z_high - c.z;
-    stadium_axis_ = {horizontal, u.z};
+    z_low_ = body.z_low - capsule.segment.centre.z;
+    z_high_ = body.z_high - capsule.segment.centre.z;
+    stadium_axis_ = {std::hypot(u.x, u.y), u.z};
   }
 
   const Vec3 &normal() const { return normal_; }
-  double lowest() const { return std::max(-radius_, axis_x_ - cylinder_.radius); }
-  double highest() const { return std::min(radius_, axis_x_ + cylinder_.radius); }
+  double lowest() const { return std::max(-radius_, footprint_.offsets().low); }
+  double highest() const { return std::min(radius_, footprint_.offsets().high); }
 
   double common_area(double x) const
   {
-    const double from_axis = x - axis_x_;
-    const double half_width_squared =
-        (cylinder_.radius - from_axis) * (cylinder_.radius + from_axis);
-    if (half_width_squared <= 0.0) return 0.0;
-    const double half_width = std::sqrt(half_width_squared);
-    const double shared = intersection_area(
-        stadium(x), {axis_t_ - half_width, axis_t_ + half_width, z_low_, z_high_});
+    const Interval chord = footprint_.chord(x);
+    if (!(chord.low < chord.high)) return 0.0;
+    const double shared =
+        intersection_area(stadium(x), {chord.low, chord.high, z_low_, z_high_});
     return shared > no_area * radius_ * radius_ ? shared : 0.0;
   }
 
@@ -118,21 +263,44 @@ class Sections {
   }
 
   double half_length_, radius_;
-  const UprightCylinder &cylinder_;
   Vec3 normal_;
+  decltype(footprint(std::declval<Body>(), Vec3{}, Vec3{}, Vec3{})) footprint_;
   Point2 stadium_axis_;
-  double axis_x_, axis_t_, z_low_, z_high_;
+  double z_low_, z_high_;
 };
 
 // An x whose section certainly has an area: of a point inside both bodies.
-double inner_offset(const Capsule &capsule, const UprightCylinder &cylinder, const Vec3 &on_axis,
+double inner_offset(const Capsule &capsule, const Vec3 &middle, const Vec3 &on_axis,
                     const Vec3 &nearest, double distance, const Vec3 &normal)
 {
-  const Vec3 middle{cylinder.x, cylinder.y, 0.5 * (cylinder.z_low + cylinder.z_high)};
   const Vec3 inwards = middle - nearest;
   const double way = norm(inwards);
   const double step = way > 0.0 ? std::min(0.5 * (capsule.radius - distance) / way, 0.5) : 0.0;
   return dot(nearest + step * inwards - on_axis, normal);
+}
+
+template <class Body>
+BoundedVolume common_volume(const Capsule &capsule, const Body &body, double tolerance)
+{
+  if (misses(body, capsule)) return {0.0, 0.0};
+  const double whole = volume(capsule);
+  if (holds(body, capsule)) return {whole, 0.0};
+  if (const auto exact = volume_cut_by_planes(body, capsule)) return {*exact, 0.0};
+
+  const Segment &segment = capsule.segment;
+  const Vec3 on_axis = segment.at(position_nearest(body, segment));
+  const Vec3 nearest = closest_point(body, on_axis);
+  const double distance = norm(on_axis - nearest);
+  if (distance >= capsule.radius) return {0.0, 0.0};
+
+  const Sections<Body> sections(capsule, body);
+  const double inner =
+      inner_offset(capsule, middle_of(body), on_axis, nearest, distance, sections.normal());
+  if (!(sections.lowest() < inner && inner < sections.highest())) return {0.0, 0.0};  // round-off
+  return convex_volume({[&](double x) { return sections.common_area(x); },
+                        [&](double a, double b) { return sections.largest_area(a, b); },
+                        sections.lowest(), inner, sections.highest()},
+                       tolerance, sliver * whole);
 }
 
 }  // namespace
@@ -166,30 +334,45 @@ bool misses(const UprightCylinder &c, const Capsule &rod)
          dx * dx + dy * dy >= side * side;
 }
 
+double volume(const UprightBox &box)
+{
+  return (box.x_high - box.x_low) * (box.y_high - box.y_low) * (box.z_high - box.z_low);
+}
+
+bool holds(const UprightBox &box, const Capsule &rod)
+{
+  for (const double s : {-rod.segment.half_length, rod.segment.half_length}) {
+    const Vec3 end = rod.segment.at(s);
+    if (end.x - rod.radius < box.x_low || end.x + rod.radius > box.x_high ||
+        end.y - rod.radius < box.y_low || end.y + rod.radius > box.y_high ||
+        end.z - rod.radius < box.z_low || end.z + rod.radius > box.z_high)
+      return false;
+  }
+  return true;
+}
+
+// By the rod's own bounding box.
+bool misses(const UprightBox &box, const Capsule &rod)
+{
+  const Segment &s = rod.segment;
+  const auto apart = [&](double centre, double axis, double low, double high) {
+    const double reach = s.half_length * std::abs(axis) + rod.radius;
+    return centre + reach <= low || centre - reach >= high;
+  };
+  return apart(s.centre.x, s.axis.x, box.x_low, box.x_high) ||
+         apart(s.centre.y, s.axis.y, box.y_low, box.y_high) ||
+         apart(s.centre.z, s.axis.z, box.z_low, box.z_high);
+}
+
 BoundedVolume clipped_volume(const Capsule &capsule, const UprightCylinder &cylinder,
                              double tolerance)
 {
-  if (misses(cylinder, capsule)) return {0.0, 0.0};
-  const double whole = volume(capsule);
-  if (holds(cylinder, capsule)) return {whole, 0.0};
-  constexpr double out_of_reach = std::numeric_limits<double>::max();
-  if (holds({cylinder.x, cylinder.y, cylinder.radius, -out_of_reach, out_of_reach}, capsule))
-    return {volume_below(capsule, cylinder.z_high) - volume_below(capsule, cylinder.z_low), 0.0};
+  return common_volume(capsule, cylinder, tolerance);
+}
 
-  const Segment &segment = capsule.segment;
-  const Vec3 on_axis = segment.at(position_nearest(cylinder, segment));
-  const Vec3 nearest = closest_point(cylinder, on_axis);
-  const double distance = norm(on_axis - nearest);
-  if (distance >= capsule.radius) return {0.0, 0.0};
-
-  const Sections sections(capsule, cylinder);
-  const double inner =
-      inner_offset(capsule, cylinder, on_axis, nearest, distance, sections.normal());
-  if (!(sections.lowest() < inner && inner < sections.highest())) return {0.0, 0.0};  // round-off
-  return convex_volume({[&](double x) { return sections.common_area(x); },
-                        [&](double a, double b) { return sections.largest_area(a, b); },
-                        sections.lowest(), inner, sections.highest()},
-                       tolerance, sliver * whole);
+BoundedVolume clipped_volume(const Capsule &capsule, const UprightBox &box, double tolerance)
+{
+  return common_volume(capsule, box, tolerance);
 }
 
 }  // namespace spherocylinder

@@ -50,8 +50,10 @@ UprightCylinder inner_half(const UprightCylinder &whole)
   return {whole.x, whole.y, scale * whole.radius, middle - half_height, middle + half_height};
 }
 
-SolidFraction solid_fraction(const std::vector<Rod> &rods, const UprightCylinder &region,
-                             double tolerance)
+namespace {
+
+template <class Region>
+BoundedVolume solid_of_rods(const std::vector<Rod> &rods, const Region &region, double tolerance)
 {
   // The few rods that are cut may each be off by more than the tolerance if the sum is not.
   constexpr double loosest = 0.05;
@@ -80,6 +82,27 @@ SolidFraction solid_fraction(const std::vector<Rod> &rods, const UprightCylinder
     solid.value += part.value;
     solid.error += part.error;
   }
+  return solid;
+}
+
+}  // namespace
+
+BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightCylinder &region,
+                           double tolerance)
+{
+  return solid_of_rods(rods, region, tolerance);
+}
+
+BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightBox &region,
+                           double tolerance)
+{
+  return solid_of_rods(rods, region, tolerance);
+}
+
+SolidFraction solid_fraction(const std::vector<Rod> &rods, const UprightCylinder &region,
+                             double tolerance)
+{
+  const BoundedVolume solid = solid_within(rods, region, tolerance);
   return {region, solid.value / volume(region), solid.error / volume(region)};
 }
 

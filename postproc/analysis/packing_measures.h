@@ -48,6 +48,13 @@ UprightCylinder vessel_up_to(const Vessel &vessel, double top);
 // volume, clear of wall, floor and free surface.
 UprightCylinder inner_half(const UprightCylinder &whole);
 
+// Solid within the region, to within `tolerance` of it or of each rod that is cut, whichever is
+// looser.
+BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightCylinder &region,
+                           double tolerance);
+BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightBox &region,
+                           double tolerance);
+
 // Solid within the region over the region's volume, to within `tolerance` of the fraction or of
 // each rod that is cut, whichever is looser: the error says.
 SolidFraction solid_fraction(const std::vector<Rod> &rods, const UprightCylinder &region,

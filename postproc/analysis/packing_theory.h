@@ -19,7 +19,8 @@ constexpr double parkhouse_kelly_from = 2.71828182845904524;
 constexpr double random_contacts_from = 5.0;
 
 // The densest known packing of equal capsules, all parallel: hexagonal layers of touching
-// cylinders, whose round ends fit into each other as in a close packing of spheres (pi/sqrt 18 at lambda = 1):
+// cylinders, whose round ends fit into each other as in a close packing of spheres (pi/sqrt 18 at
+// lambda = 1):
 //   pi/sqrt 12 (x + 2/3)/(x + sqrt(2/3)),  x = lambda - 1.
 double densest_fraction(double aspect_ratio);
 

@@ -25,6 +25,7 @@ struct Options {
   PackingOptions packing;
   std::string csv, profiles;
   std::optional<double> bin;
+  std::vector<double> box, region;
 };
 
 void print_region(const char *name, const RegionPacking &region, double whole_volume)
@@ -33,8 +34,11 @@ void print_region(const char *name, const RegionPacking &region, double whole_vo
   fmt::print("  {:<22} {:8.4f}  {:8.4f}   -+ {:.1e}, ", name, region.fraction, region.net_fraction,
              region.error);
   if (!std::isnan(region.radius)) fmt::print("radius {:.4g} m, ", region.radius);
-  fmt::print("z {:.4g} to {:.4g} m, {:.3g} of the volume\n", region.bottom, region.top,
-             region.volume / whole_volume);
+  fmt::print("z {:.4g} to {:.4g} m, ", region.bottom, region.top);
+  if (std::isnan(whole_volume))
+    fmt::print("{:.4g} m^3\n", region.volume);
+  else
+    fmt::print("{:.3g} of the volume\n", region.volume / whole_volume);
 }
 
 // NaN: that there is no such value, and for what text why.
@@ -86,6 +90,11 @@ void print_table(const BedPacking &p)
   fmt::print("  overlap                {:8.2e} m^3   -+ {:.1e}, of {} pairs: {:.2e} of the solid\n",
              p.overlap_volume, p.overlap_error, p.overlaps, p.overlap_volume / p.rods_volume);
   fmt::print("  overlap counts        {:>9}  {:>8}\n", "twice", "once");
+  print_region("V_f region", p.region, std::nan(""));
+  if (std::isnan(p.whole.fraction)) {
+    if (p.has_rods()) print_theory(p);
+    return;
+  }
   fmt::print("  {:<22} {:8.4f}  {:8.4f}   all rods over {:.4g} m^3, z {:.4g} to {:.4g} m\n",
              "V_f whole", p.whole.fraction, p.whole.net_fraction, p.whole.volume, p.whole.bottom,
              p.whole.top);
@@ -104,6 +113,12 @@ void run(Options &options)
   PackingOptions &packing = options.packing;
   if (options.vessel.radius || options.vessel.centre) packing.vessel = options.vessel.vessel();
   packing.floor = options.vessel.floor.value_or(0.0);
+  if (!options.box.empty()) {
+    if (packing.vessel || options.vessel.floor)
+      throw InputError("--box: holds the bed, wanted without --vessel-radius, --centre, --floor");
+    packing.box = box_of(options.box, "--box");
+  }
+  if (!options.region.empty()) packing.region = box_of(options.region, "--region");
   if (options.bin && options.profiles.empty())
     throw InputError("--bin: wanted with --profiles only");
 
@@ -118,6 +133,8 @@ void run(Options &options)
     const BedPacking result = measure_packing(bed, packing);
     PackingProfiles profiles;
     if (!options.profiles.empty()) {
+      if (!packing.holds_bed(bed.frame))
+        throw InputError("--profiles: wanted with --vessel-radius or --box");
       if (!options.bin) options.bin = 2.0 * bed.rods[0].capsule.radius;
       profiles = measure_profiles(bed, packing, *options.bin);
     }
@@ -149,16 +166,26 @@ int main(int argc, char **argv)
   Options options;
   PackingOptions &packing = options.packing;
   CLI::App app(
-      "Solid volume fractions of a bed of rods: in an upright cylindrical vessel, or in the dump's "
-      "box if that is periodic in x and y.",
+      "Solid volume fractions of a bed of rods: in an upright cylindrical vessel, in a box with "
+      "walls, in the dump's box if that is periodic in x and y, or in any region of a heap or "
+      "drum.",
       "rod_packing");
   app.footer(
       "Example: rod_packing bed.dump --vessel-radius 0.305 --csv packing.csv\n"
       "         rod_packing bed.dump --vessel-radius 0.305 --profiles bed --bin 0.005\n"
       "         rod_packing seed1.dump.gz seed2.dump.gz --vessel-radius 0.305 --csv mean.csv\n"
-      "         rod_packing periodic.dump --floor 0");
+      "         rod_packing periodic.dump --floor 0\n"
+      "         rod_packing heap.dump --region -0.02 0.02 -0.02 0.02 0 0.03");
   add_bed_options(app, options.files);
   add_vessel_options(app, options.vessel);
+  app.add_option("--box", options.box,
+                 "XLO XHI YLO YHI ZLO ZHI: a box with walls holds the bed (m)")
+      ->expected(6)
+      ->check(finite_number());
+  app.add_option("--region", options.region,
+                 "XLO XHI YLO YHI ZLO ZHI: give V_f in this region too (m), whatever holds the bed")
+      ->expected(6)
+      ->check(finite_number());
   app.add_option("--inner-radius", packing.inner.radius,
                  "radius of the inner cylinder (m), default 2^(-1/3) of the vessel's")
       ->check(positive_number());

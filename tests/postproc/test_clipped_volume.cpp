@@ -245,5 +245,99 @@ TEST(ClippedVolume, GrazingRods)
   }
 }
 
+// Independent slow method for boxes: the chords of volume_by_chords, each cut by three slabs.
+double volume_by_chords(const Capsule &capsule, const UprightBox &box, int steps)
+{
+  const Vec3 &u = capsule.segment.axis;
+  const Vec3 side = std::abs(u.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+  const Vec3 e1 = (1.0 / norm(cross(u, side))) * cross(u, side);
+  const Vec3 e2 = cross(u, e1);
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double rho = capsule.radius * (i + 0.5) / steps;
+    for (int j = 0; j < steps; ++j) {
+      const double phi = 2.0 * pi * (j + 0.5) / steps;
+      const Vec3 p =
+          capsule.segment.centre + (rho * std::cos(phi)) * e1 + (rho * std::sin(phi)) * e2;
+      const double reach =
+          capsule.segment.half_length + std::sqrt(capsule.radius * capsule.radius - rho * rho);
+      double low = -reach, high = reach;
+      const auto cut = [&](double at, double slope, double from, double to) {
+        if (std::abs(slope) < 1e-12) {
+          if (at < from || at > to) high = low;
+          return;
+        }
+        const double s1 = (from - at) / slope, s2 = (to - at) / slope;
+        low = std::max(low, std::min(s1, s2));
+        high = std::min(high, std::max(s1, s2));
+      };
+      cut(p.x, u.x, box.x_low, box.x_high);
+      cut(p.y, u.y, box.y_low, box.y_high);
+      cut(p.z, u.z, box.z_low, box.z_high);
+      if (high > low) sum += (high - low) * rho;
+    }
+  }
+  return sum * (capsule.radius / steps) * (2.0 * pi / steps);
+}
+
+// Rods in any pose, in, out, across faces, edges and corners, longer than the box is wide.
+TEST(ClippedVolume, BoxesAgainstChords)
+{
+  const UprightBox box(-0.4, 0.5, -0.3, 0.6, -0.2, 0.7);
+  std::mt19937 random(86028121);
+  std::uniform_real_distribution<double> place(-0.9, 1.1);
+  int cut = 0;
+  for (const Vec3 &direction : random_directions(300, random)) {
+    for (const double half_length : {0.0, 0.2, 1.5}) {
+      const Capsule capsule =
+          rod({place(random), place(random), place(random)}, direction, half_length, 0.15);
+      const BoundedVolume found = clipped_volume(capsule, box, 1e-5);
+      const double whole = volume(capsule), slow = volume_by_chords(capsule, box, 60);
+      EXPECT_NEAR(found.value, slow, 2e-3 * whole + found.error);
+      EXPECT_LE(found.error, 1.01e-5 * std::max(found.value, 1e-3 * whole));
+      if (found.value > 0.0 && found.value < 0.999 * whole) ++cut;
+    }
+  }
+  EXPECT_GT(cut, 200);
+}
+
+// Faces through the centre: a half, a quarter and an eighth of rods along an axis, by symmetry; of
+// any rod a half; eight boxes that meet in a point share a rod out.
+TEST(ClippedVolume, BoxesShareARod)
+{
+  const auto expect = [](const BoundedVolume &found, double truth) {
+    EXPECT_NEAR(found.value, truth, found.error + 1e-14);
+    EXPECT_LE(found.error, 1.01e-6 * truth);
+  };
+  const auto in_box = [](const Capsule &capsule, const UprightBox &box) {
+    return clipped_volume(capsule, box, 1e-6);
+  };
+  for (const Vec3 &direction : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    const Capsule capsule = rod({0.1, 0.2, 0.3}, direction, 0.4, 0.07);
+    const double whole = volume(capsule);
+    expect(in_box(capsule, UprightBox(0.1, huge, -huge, huge, -huge, huge)), whole / 2);
+    expect(in_box(capsule, UprightBox(0.1, huge, -huge, 0.2, -huge, huge)), whole / 4);
+    expect(in_box(capsule, UprightBox(-huge, 0.1, -huge, 0.2, 0.3, huge)), whole / 8);
+  }
+  for (const Vec3 &direction : even_directions(25)) {
+    const Capsule capsule = rod({0.1, 0.2, 0.3}, direction, 0.4, 0.07);
+    const double whole = volume(capsule);
+    expect(in_box(capsule, UprightBox(0.1, huge, -huge, huge, -huge, huge)), whole / 2);
+    expect(in_box(capsule, UprightBox(-huge, huge, 0.2, huge, -huge, huge)), whole / 2);
+    expect(in_box(capsule, UprightBox(-huge, huge, -huge, huge, 0.3, huge)), whole / 2);
+    double sum = 0.0, error = 0.0;
+    for (const double x : {-huge, 0.15})
+      for (const double y : {-huge, 0.22})
+        for (const double z : {-huge, 0.27}) {
+          const UprightBox part(x, x < 0 ? 0.15 : huge, y, y < 0 ? 0.22 : huge, z,
+                                z < 0 ? 0.27 : huge);
+          const BoundedVolume found = clipped_volume(capsule, part, 1e-5);
+          sum += found.value;
+          error += found.error;
+        }
+    EXPECT_NEAR(sum, whole, error + 1e-12 * whole);
+  }
+}
+
 }  // namespace
 }  // namespace spherocylinder

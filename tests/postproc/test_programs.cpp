@@ -280,6 +280,83 @@ TEST_F(Programs, PackingOfAllFramesLeavesOutTheEmptyOne)
   EXPECT_EQ(csv_row(read("all.csv"))["step"], 500);
 }
 
+// Two rods across each other in a box of 0.4 m x 0.2 m with walls, the upper one's centre 0.1 m
+// above the floor: what is above that is clipped, the inner box, 0.3175 m x 0.1587 m, cuts rods' ends.
+TEST_F(Programs, PackingOfABoxWithWalls)
+{
+  const double pi = std::acos(-1.0), r = 0.01, cap = 2.0 / 3.0 * pi * r * r * r;
+  write("walls.dump", dump_text({{1, 1, {{{0.1, 0.2, 0.05}, {1, 0, 0}, 0.18}, r}},
+                                 {2, 1, {{{0.1, 0.2, 0.1}, {0, 1, 0}, 0.09}, r}}},
+                                0));
+  const std::string box = "--box -0.1 0.3 0.1 0.3 0 1";
+  ASSERT_EQ(run("rod_packing walls.dump " + box + " --csv w.csv --profiles w --bin 0.02"), 0)
+      << error_;
+  auto row = csv_row(read("w.csv"));
+  const double first = pi * r * r * 0.36 + 2 * cap, second = pi * r * r * 0.18 + 2 * cap;
+  const double whole = 0.4 * 0.2 * 0.1;
+  EXPECT_NEAR(row["whole_volume_m3"], whole, 1e-12);
+  EXPECT_NEAR(row["vf_whole"], (first + second) / whole, 1e-8);
+  EXPECT_NEAR(row["vf_whole_clipped"], (first + second / 2) / whole,
+              row["vf_whole_clipped_integration_error"] + 1e-8);
+  EXPECT_NEAR(row["inner_volume_m3"], whole / 2, 1e-12);
+  EXPECT_NEAR(row["inner_bottom_m"], 0.05 * (1 - std::cbrt(0.5)), 1e-9);
+  // The first rod alone reaches below 0.0897 m.
+  EXPECT_NEAR(row["vf_inner"], pi * r * r * 0.4 * std::cbrt(0.5) / (whole / 2),
+              0.002 * row["vf_inner"]);
+  EXPECT_TRUE(std::isnan(row["inner_radius_m"]));
+  double sum = 0.0;
+  for (const auto &bin : csv_rows(read("w_height.csv"))) sum += bin.at("solid_m3");
+  EXPECT_NEAR(sum, first + second, 1e-8 * sum);
+  EXPECT_FALSE(std::filesystem::exists(folder() / "w_wall.csv"));
+
+  expect_refusal("rod_packing walls.dump --box -0.1 0.3 0.1 0.19 0 1",
+                 "2 of 2 rod centres are outside the box -0.1 0.3 0.1 0.19 0 1");
+  expect_refusal("rod_packing walls.dump --box 0.3 -0.1 0.1 0.3 0 1",
+                 "--box: the upper bound in x must be above the lower (got 0.3 -0.1)");
+  expect_refusal("rod_packing walls.dump --vessel-radius 1 " + box, "--box: holds the bed");
+  expect_refusal("rod_packing walls.dump --inner-radius 1 " + box, "--inner-radius: wanted with");
+  expect_refusal("rod_packing walls.dump", "wanted --vessel-radius, --box or --region");
+}
+
+// A heap or a drum: half of a rod in a region, a quarter of two that cross, an image of one.
+TEST_F(Programs, PackingOfARegion)
+{
+  const double pi = std::acos(-1.0), r = 0.01;
+  const double rod = pi * r * r * 0.18 + 4.0 / 3.0 * pi * r * r * r;
+  const double steinmetz = 16.0 / 3.0 * r * r * r;
+  std::string text = dump_text({{1, 1, {{{0, 0, 0.1}, {1, 0, 0}, 0.09}, r}},
+                                {2, 1, {{{0, 0, 0.1}, {0, 1, 0}, 0.09}, r}},
+                                {3, 1, {{{0.98, 0.5, 0.1}, {1, 0, 0}, 0.09}, r}}},
+                               0);
+  write("heap.dump", text);
+  ASSERT_EQ(run("rod_packing heap.dump --region -0.01 0.3 -0.2 0.2 0 0.1 --csv h.csv"), 0)
+      << error_;
+  auto row = csv_row(read("h.csv"));
+  EXPECT_TRUE(std::isnan(row["vf_whole"]));
+  EXPECT_TRUE(std::isnan(row["vf_inner"]));
+  EXPECT_NEAR(row["region_volume_m3"], 0.31 * 0.4 * 0.1, 1e-12);
+  // Below their axes: of the first what is at x > -0.01, of the second all.
+  const double solid = 0.5 * (rod / 2 + pi * r * r * 0.01) + 0.5 * rod;
+  EXPECT_NEAR(row["vf_region"] * row["region_volume_m3"], solid, 2e-4 * solid);
+  EXPECT_NEAR((row["vf_region"] - row["vf_region_net"]) * row["region_volume_m3"], steinmetz,
+              0.02 * steinmetz);
+  EXPECT_NE(out_.find("V_f region"), std::string::npos) << out_;
+  EXPECT_EQ(out_.find("V_f whole"), std::string::npos) << out_;
+
+  // The third reaches 0.08 m over the boundary of the box of 2 m.
+  text.replace(text.find("ff ff ff"), 8, "pp pp ff");
+  write("heap.dump", text);
+  ASSERT_EQ(run("rod_packing heap.dump --region -1 -0.8 0.4 0.6 0 0.2 --csv h.csv"), 0) << error_;
+  row = csv_row(read("h.csv"));
+  EXPECT_NEAR(row["vf_region"] * row["region_volume_m3"],
+              pi * r * r * (0.98 + 0.09 - 1.0) + 2.0 / 3.0 * pi * r * r * r, 1e-10);
+  EXPECT_FALSE(std::isnan(row["vf_whole"]));
+
+  expect_refusal("rod_packing bed.dump --region 0 1 0 1 1 0", "--region: the upper bound in z");
+  expect_refusal("rod_packing bed.dump --region 0 1 0 1 0 1 --profiles p",
+                 "--profiles: wanted with");
+}
+
 // Short rods: no theory, in the table, the CSV file and the figure's table; no number above 1.
 TEST_F(Programs, TheoryIsForSlenderRods)
 {
