@@ -26,8 +26,8 @@ namespace sc = spherocylinder;
 
 namespace {
 
-// Arrays that are full grow by half, at least by this many rods: LIGGGHTS's rows of pointers are written
-// for rods to come, too.
+// Arrays that are full grow by half, at least by this many rods: LIGGGHTS's rows of pointers are
+// written for rods to come, too.
 constexpr int kGrowBy = 1024;
 
 double *put(double *buf, const double *values, int n)
@@ -197,8 +197,8 @@ void AtomVecSpherocylinder::copy(int i, int j, int delflag)
     modify->fix[atom->extra_grow[iextra]]->copy_arrays(i, j, delflag);
 }
 
-// LIGGGHTS calls this before rods go from rank to rank, when box and cuts are new and histories with
-// their rods: at each rebuild of the lists.
+// LIGGGHTS calls this before rods go from rank to rank, when box and cuts are new and histories
+// with their rods: at each rebuild of the lists.
 void AtomVecSpherocylinder::clear_bonus()
 {
   if (is_handing_over_) return;
@@ -547,8 +547,8 @@ int AtomVecSpherocylinder::unpack_restart(double *buf)
    new rods, and data files
 ------------------------------------------------------------------------- */
 
-// Of no size yet, density 1, at rest, along z: insertion or the command `set` makes it a rod, and none may
-// enter a run without (check_rods_are_whole).
+// Of no size yet, density 1, at rest, along z: insertion or the command `set` makes it a rod, and
+// none may enter a run without (check_rods_are_whole).
 void AtomVecSpherocylinder::create_atom(int itype, double *coord)
 {
   const int i = new_atom();

@@ -72,8 +72,8 @@ class AtomVecSpherocylinder : public AtomVec {
   void write_vel(FILE *fp, int n, double **buf) override;
   bigint memory_usage() override;
 
-  // Size and density of rod i; sets everything that follows from them. A diameter or length of 0 is one
-  // not given yet: no mass, volume and inertia then.
+  // Size and density of rod i; sets everything that follows from them. A diameter or length of 0 is
+  // one not given yet: no mass, volume and inertia then.
   void set_rod(int i, double diameter, double total_length, double rod_density);
 
   // Rod i as geometry (space frame, m), for owned and ghost rods.

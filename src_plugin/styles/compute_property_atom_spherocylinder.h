@@ -10,8 +10,8 @@ namespace LAMMPS_NS {
 
 class AtomVecSpherocylinder;
 
-// compute property/atom for rods: axis, quaternion and size are filled in here, every other column by
-// LIGGGHTS's own compute.
+// compute property/atom for rods: axis, quaternion and size are filled in here, every other column
+// by LIGGGHTS's own compute.
 class ComputePropertyAtomSpherocylinder : public Compute {
  public:
   ComputePropertyAtomSpherocylinder(LAMMPS *lmp, int &iarg, int narg, char **arg);

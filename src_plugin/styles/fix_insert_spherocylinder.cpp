@@ -62,16 +62,18 @@ constexpr Numbers kNumbers[] = {
     {"duration_time", nullptr, 1, nullptr}};
 
 // Keywords whose value is a name that may be spelled like a keyword.
-constexpr const char *kNames[] = {"distributiontemplate", "region", "insertion_face", "set_property"};
+constexpr const char *kNames[] = {"distributiontemplate", "region", "insertion_face",
+                                  "set_property"};
 
-// Of `points` spread evenly over a box, those that `is_wanted` and that are this rank's: the share that
-// is near a face, over all ranks.
+// Of `points` spread evenly over a box, those that `is_wanted` and that are this rank's: the share
+// that is near a face, over all ranks.
 template <typename IsWanted>
 double share_near_faces_of(LAMMPS *lmp, const double *lo, const double *hi, double bounding_radius,
                            const IsWanted &is_wanted)
 {
   constexpr int kPoints = 20000;
-  // Steps of the sequence that fills a cube evenly: powers of the root of g^4 = g + 1 (Roberts 2018).
+  // Steps of the sequence that fills a cube evenly: powers of the root of g^4 = g + 1 (Roberts
+  // 2018).
   constexpr double kStep[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   int local[2] = {0, 0}, total[2] = {0, 0};
   double share[3] = {0.5, 0.5, 0.5};
@@ -105,8 +107,8 @@ void check_keeps_from_faces(LAMMPS *lmp, const Fix &fix, bool checks_overlap, bo
   if (keeps_from_faces || !checks_overlap) return;
   if (lmp->comm->nprocs == 1 && !domain.xperiodic && !domain.yperiodic && !domain.zperiodic) return;
   rod_error_all(lmp,
-                "Fix %s (id %s): check_dist_from_subdomain_border no with overlapcheck yes needs one "
-                "rank and no periodic boundary (rods inserted on both sides of a border would "
+                "Fix %s (id %s): check_dist_from_subdomain_border no with overlapcheck yes needs "
+                "one rank and no periodic boundary (rods inserted on both sides of a border would "
                 "overlap)",
                 fix.style, fix.id);
 }
@@ -173,8 +175,8 @@ void FixInsertPackSpherocylinder::init()
   check_keeps_from_faces(lmp, *this, check_ol_flag, check_dist_from_subdomain_border_);
 }
 
-// LIGGGHTS counts the volume that fills the region from the particles' radii: it is shown those of spheres of
-// the rods' volume.
+// LIGGGHTS counts the volume that fills the region from the particles' radii: it is shown those of
+// spheres of the rods' volume.
 int FixInsertPackSpherocylinder::calc_ninsert_this()
 {
   std::vector<double> equivalent(atom->nlocal + 1);
@@ -217,8 +219,8 @@ FixInsertStreamSpherocylinder::FixInsertStreamSpherocylinder(LAMMPS *lmp,
 {
 }
 
-// LIGGGHTS sets a new rod's angular velocity here, 0 until its release: our integrator goes by the angular
-// momentum.
+// LIGGGHTS sets a new rod's angular velocity here, 0 until its release: our integrator goes by the
+// angular momentum.
 void FixInsertStreamSpherocylinder::end_of_step()
 {
   // The first such fix moves the rods of all, whatever their groups.

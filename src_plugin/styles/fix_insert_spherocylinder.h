@@ -10,8 +10,9 @@
 
 namespace LAMMPS_NS {
 
-// The arguments of an insertion command as LIGGGHTS shall see them: each number is one, and the quaternion
-// of `orientation constant` has unit length to the last digit, which LIGGGHTS insists on.
+// The arguments of an insertion command as LIGGGHTS shall see them: each number is one, and the
+// quaternion of `orientation constant` has unit length to the last digit, which LIGGGHTS insists
+// on.
 class InsertionArguments {
  public:
   InsertionArguments(LAMMPS *lmp, int narg, char **arg);
@@ -23,16 +24,16 @@ class InsertionArguments {
   std::vector<char *> pointers_;
 };
 
-// Of where an insertion may place centres, the part that is nearer than a rod's bounding radius to a
-// face of a rank's subdomain. LIGGGHTS draws no centres there.
+// Of where an insertion may place centres, the part that is nearer than a rod's bounding radius to
+// a face of a rank's subdomain. LIGGGHTS draws no centres there.
 class InsertionNearFaces {
  public:
   virtual ~InsertionNearFaces() = default;
   virtual double share_near_faces(double bounding_radius) const = 0;  // called by all ranks
 };
 
-// LIGGGHTS's insertion commands, where they would take a rod for its bounding sphere or for a point that does
-// not turn.
+// LIGGGHTS's insertion commands, where they would take a rod for its bounding sphere or for a point
+// that does not turn.
 class FixInsertPackSpherocylinder : public FixInsertPack, public InsertionNearFaces {
  public:
   FixInsertPackSpherocylinder(LAMMPS *lmp, InsertionArguments arguments);

@@ -19,14 +19,15 @@ class LAMMPS;
 // Printed by the calling rank.
 void rod_warning(LAMMPS *lmp, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-// A quaternion typed by hand may be off unit length by what three digits cost; it is then normalised.
+// A quaternion typed by hand may be off unit length by what three digits cost; it is then
+// normalised.
 constexpr double kQuaternionTolerance = 1e-3;
 
 // The rods' atom style, or an error that names `who` if the simulation has another one.
 AtomVecSpherocylinder &rods_of(LAMMPS *lmp, const char *who);
 
-// Arguments of a pair style or wall without the keyword close_skin, whose value, a length (m) or `auto`
-// (0), goes to close_skin.
+// Arguments of a pair style or wall without the keyword close_skin, whose value, a length (m) or
+// `auto` (0), goes to close_skin.
 std::vector<char *> args_without_close_skin(LAMMPS *lmp, int nargs, char **args,
                                             double &close_skin);
 

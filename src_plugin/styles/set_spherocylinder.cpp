@@ -102,7 +102,8 @@ void SetSpherocylinder::command(int narg, char **arg)
                     wanted == INT_MAX ? 2 : wanted, left);
     if (own) {
       Setting setting = {name, {}};
-      for (int value = 1; value <= count; value++) setting.values.push_back(value_of(name, arg[k + value]));
+      for (int value = 1; value <= count; value++)
+        setting.values.push_back(value_of(name, arg[k + value]));
       ours.push_back(setting);
     } else {
       stock.insert(stock.end(), arg + k, arg + k + 1 + count);
@@ -191,7 +192,8 @@ void SetSpherocylinder::apply(const std::vector<Setting> &settings, const std::v
       const sc::Vec3 given = {angmom->values[0].at(i), angmom->values[1].at(i),
                               angmom->values[2].at(i)};
       if (inertia[0] == 0.0)
-        rod_error_one(lmp, "Command set: angmom of rod %d wants its diameter, length and density first",
+        rod_error_one(lmp,
+                      "Command set: angmom of rod %d wants its diameter, length and density first",
                       atom->tag[i]);
       sc::store(given, atom->angmom[i]);
       sc::store(sc::angular_velocity(given, axis, inertia[2], inertia[0]), atom->omega[i]);
@@ -202,8 +204,8 @@ void SetSpherocylinder::apply(const std::vector<Setting> &settings, const std::v
   }
 }
 
-// All that the command says of the rod's size is taken together: a rod may become thicker than it was
-// long.
+// All that the command says of the rod's size is taken together: a rod may become thicker than it
+// was long.
 void SetSpherocylinder::apply_size(const std::vector<Setting> &settings, int i)
 {
   const double *shape = atom->shape[i];

@@ -10,8 +10,8 @@ namespace LAMMPS_NS {
 
 class AtomVecSpherocylinder;
 
-// The command `set` for rods. What makes up a rod (size, density, orientation, spin) is set here, together and
-// with all that follows from it; every other keyword is handed to LIGGGHTS's own Set.
+// The command `set` for rods. What makes up a rod (size, density, orientation, spin) is set here,
+// together and with all that follows from it; every other keyword is handed to LIGGGHTS's own Set.
 class SetSpherocylinder : protected Pointers {
  public:
   explicit SetSpherocylinder(LAMMPS *lmp);

@@ -75,8 +75,8 @@ Vec3 axis_of_row(const Table &rods, size_t row)
 
 class Insertions : public testing::TestWithParam<int> {};
 
-// Rods along z that leave the face turn about x with the given omega, and their axes with them: released
-// when they pass the face at z = 0.2, so that the angle is omega (0.2 - z) / v.
+// Rods along z that leave the face turn about x with the given omega, and their axes with them:
+// released when they pass the face at z = 0.2, so that the angle is omega (0.2 - z) / v.
 TEST_P(Insertions, RodsFromAStreamTurn)
 {
   const DeckFolder folder;
@@ -131,15 +131,17 @@ TEST_P(Insertions, VelocityAndSpinAreGiven)
     for (size_t row = 0; row < 20; row++) {
       EXPECT_EQ(rods.at(row, "vy"), 2.0);
       EXPECT_NEAR(rods.at(row, "omegay"), 30.0, 1e-12);
-      // z turned about y by 45 degrees, to the four digits given. Rods enter a step after it has moved the others.
+      // z turned about y by 45 degrees, to the four digits given. Rods enter a step after it has
+      // moved the others.
       const double angle = 2.0 * std::atan2(0.3827, 0.9239);
       EXPECT_LT(norm(axis_of_row(rods, row) - Vec3{std::sin(angle), 0.0, std::cos(angle)}), 1e-12);
     }
   }
 }
 
-// The share of the region's volume that rods fill is asked for; they leave downward at 20 m/s and the region
-// is filled again every 50 steps. Wanted there after each insertion: f V / V_rod, rounded at random.
+// The share of the region's volume that rods fill is asked for; they leave downward at 20 m/s and
+// the region is filled again every 50 steps. Wanted there after each insertion: f V / V_rod,
+// rounded at random.
 TEST_P(Insertions, ARegionIsKeptAtItsVolumeFraction)
 {
   const DeckFolder folder;
@@ -195,8 +197,8 @@ TEST_P(Insertions, ARegionIsKeptAtItsMassAndNumber)
 
 INSTANTIATE_TEST_SUITE_P(, Insertions, testing::Values(1, 2));
 
-// Two ranks' parts of a region 0.08 wide, cut in its middle: of rods 0.07 long, no centre finds a place
-// nearer than 0.035 to the cut, 7/8 of the region.
+// Two ranks' parts of a region 0.08 wide, cut in its middle: of rods 0.07 long, no centre finds a
+// place nearer than 0.035 to the cut, 7/8 of the region.
 TEST(InsertionAtBorders, SaysHowMuchOfTheRegionIsOutOfUse)
 {
   const std::string pack = R"(region feed block -0.1 0.1 -0.04 0.04 -0.1 0.1 units box

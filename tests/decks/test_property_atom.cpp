@@ -66,7 +66,8 @@ run 0
   EXPECT_NEAR(thermo.at(0, "m"), 1.0 / 3.0, 1e-8);
 }
 
-// A rod that turns about z with omega for 100 steps: fix ave/time of cos^2 at its end is cos^2(omega t).
+// A rod that turns about z with omega for 100 steps: fix ave/time of cos^2 at its end is
+// cos^2(omega t).
 TEST_P(PropertyAtom, AveragesFollowTheTurningAxis)
 {
   const Scene scene = scene_of({{{0.1, 0.2, 0.0}, {1.0, 0.0, 0.0}, {}, {0.0, 0.0, 500.0}}});

@@ -125,7 +125,8 @@ set group all diameter v_d length v_l density v_rho quat 0 1 0 v_angle
   }
 }
 
-// A rod made by hand turns as its closed form says: about its axis of omega, transverse to the axis.
+// A rod made by hand turns as its closed form says: about its axis of omega, transverse to the
+// axis.
 TEST_P(SetOnRanks, ARodMadeByHandTurns)
 {
   const Table rods = rods_after(R"(create_atoms 1 single 0.3 0 0 units box
@@ -191,8 +192,8 @@ write_data rod.data
 
 INSTANTIATE_TEST_SUITE_P(, SetOnRanks, testing::Values(1, 2));
 
-// By place, not by rank: the same axes on one and two ranks. Uniform on the sphere: the mean of u_z^2 over
-// n rods is 1/3 with standard deviation sqrt(4/45/n).
+// By place, not by rank: the same axes on one and two ranks. Uniform on the sphere: the mean of
+// u_z^2 over n rods is 1/3 with standard deviation sqrt(4/45/n).
 TEST(Set, RandomAxesAreUniformAndDoNotDependOnRanks)
 {
   const std::string commands = R"(create_atoms 1 random 10007 10007 NULL
