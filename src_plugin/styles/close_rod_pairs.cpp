@@ -12,6 +12,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
+#include "rod_checks.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
@@ -53,6 +54,13 @@ bool CloseRodPairs::have_rods_migrated()
   const bool migrated = neighbor->ago == 0 && neighbor->ncalls != seen_builds_;
   seen_builds_ = neighbor->ncalls;
   return migrated;
+}
+
+void CloseRodPairs::check_rods_are_the_same() const
+{
+  if (!list_.is_of_present_rods())
+    rod_error_one(lmp, "Run: pre no cannot be used after a command has deleted, added or renamed rods, "
+                       "the list of pairs is that of the rods before (expected run without pre no)");
 }
 
 // Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about

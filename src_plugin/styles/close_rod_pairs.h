@@ -47,6 +47,9 @@ class CloseRodPairs : protected Pointers {
   // before, and histories are with their rods.
   bool have_rods_migrated();
 
+  // In the first step of a run that goes on with the lists of the one before (`pre no`).
+  void check_rods_are_the_same() const;
+
   // Brings both lists up to date; `read(all)` is asked for the present poses in `rods`, of all rods or
   // only of tracked ones. `migrated`: as have_rods_migrated says.
   template <typename Read>

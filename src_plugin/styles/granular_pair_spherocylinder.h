@@ -92,6 +92,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
                     "continuum/weighted wants them (expected compute pair/gran/local)");
     model_.connectToProperties(force->registry);
     slider_.connect(model_, force->registry);
+    highest_type_ = force->registry.max_type();
     side_offset_ = model_.get_history_offset("rod_normal");
     spring_offset_ = history_offset("shearx");
     monitor_.reset(rods);
@@ -139,6 +140,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   bool spread_contact_ = true;  // continuous rule for nearly parallel rods
   bool has_tangential_ = false;
   double close_skin_ = 0.0;    // of the close pairs (m), 0: chosen automatically
+  int highest_type_ = 0;       // that material properties are there for
   bool has_settings_ = false;  // false for a pair style made by read_restart
   // Where a pair's history keeps the remembered normal and the tangential spring, -1 if it does not.
   int side_offset_ = -1;
@@ -263,12 +265,16 @@ void GranularSpherocylinder<ContactModel>::compute_force(PairGran *pair, int efl
     pair->evflag = pair->vflag_fdotr = 0;
 
   const bool migrated = close_pairs_.have_rods_migrated();
+  // With `pre no` a run begins with its first step.
+  const bool run_begins = update->setupflag || update->ntimestep == update->firststep + 1;
+  if (migrated || run_begins) check_types_have_properties(lmp, highest_type_);
+  if (!migrated && run_begins) close_pairs_.check_rods_are_the_same();
   close_pairs_.update(*pair, rods_, migrated, [this](bool all) { read_rods(all); });
   if (migrated) read_masses(pair->freeze_group_bit());
   int **first_flags = pair->listgranhistory ? pair->listgranhistory->firstneigh : nullptr;
   double **first_history = pair->listgranhistory ? pair->listgranhistory->firstdouble : nullptr;
   touching_pairs_.find(close_pairs_.entries(), rods_, atom->tag, first_flags);
-  if (side_offset_ >= 0 && (migrated || update->setupflag))
+  if (side_offset_ >= 0 && (migrated || run_begins))
     false_histories_.drop(touching_pairs_.touching(), rods_, first_flags, first_history,
                           pair->dnum(), side_offset_);
   close_pairs_.counts().touching = static_cast<int64_t>(touching_pairs_.touching().size());
@@ -366,7 +372,7 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     const double inverse_mass =
         inverse_effective_mass(shown_to(motion_j.inverse, motion_i.inverse), arm_i, normal) +
         inverse_effective_mass(shown_to(motion_i.inverse, motion_j.inverse), arm_j, normal);
-    sudden_overlaps_.look(i, j, 2.0 * contact.overlap / reach, inverse_mass != 0.0);
+    sudden_overlaps_.look(i, j, contact.overlap / reach, inverse_mass != 0.0);
     if (inverse_mass == 0.0) continue;  // both frozen: nothing to move
     sidata.meff = contact.share / inverse_mass;
 

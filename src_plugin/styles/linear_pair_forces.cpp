@@ -135,7 +135,7 @@ void LinearPairForces::compute(PairGran &pair, const TouchingRodPairs &pairs,
       const int i = touch.i, j = touch.j;
       const double reach = c.radius_i[k] + c.radius_j[k];
       const double depth = c.overlap[k] / reach;
-      sudden_overlaps.look(i, j, 2.0 * depth, c.inverse_mass[k] != 0.0);
+      sudden_overlaps.look(i, j, depth, c.inverse_mass[k] != 0.0);
       if (c.inverse_mass[k] == 0.0) continue;  // both frozen: nothing to move
       if (first_flags) first_flags[i][touch.index] |= flag;
       if (first_history) {

@@ -210,6 +210,18 @@ void LAMMPS_NS::check_pairs_touch_once(LAMMPS *lmp)
                   lmp->update->ntimestep, twice[0], twice[1]);
 }
 
+void LAMMPS_NS::check_types_have_properties(LAMMPS *lmp, int highest)
+{
+  const Atom *atom = lmp->atom;
+  for (int i = 0; i < atom->nlocal + atom->nghost; i++)
+    if (atom->type[i] > highest)
+      rod_error_one(lmp,
+                    "Pair gran: rod %d has atom type %d at step " BIGINT_FORMAT ", but materials were "
+                    "set up for types up to %d, the highest in use when LIGGGHTS last did so "
+                    "(expected run without pre no after a command that changes types)",
+                    atom->tag[i], atom->type[i], lmp->update->ntimestep, highest);
+}
+
 void LAMMPS_NS::check_contact_styles_know_rods(LAMMPS *lmp)
 {
   if (!is_running(lmp)) return;

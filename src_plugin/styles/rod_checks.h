@@ -44,6 +44,9 @@ bool check_rods_fit_periodic_box(LAMMPS *lmp, bool warn);
 void check_pairs_touch_once(LAMMPS *lmp);
 
 // Without our surface model the stock pair and wall would use the rods' bounding spheres.
+// LIGGGHTS's property matrices end at the highest type that was in use when the run began.
+void check_types_have_properties(LAMMPS *lmp, int highest);
+
 void check_contact_styles_know_rods(LAMMPS *lmp);
 
 

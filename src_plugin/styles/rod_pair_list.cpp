@@ -99,6 +99,12 @@ void RodPairList::hand_over(NeighList &list)
   }
 }
 
+bool RodPairList::is_of_present_rods() const
+{
+  return static_cast<int>(ids_.size()) == atom->nlocal + atom->nghost &&
+         std::equal(ids_.begin(), ids_.end(), atom->tag);
+}
+
 void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, double gap,
                         bool migrated)
 {
@@ -129,6 +135,7 @@ void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, double
   }
   hand_over(list);
 
+  if (migrated) ids_.assign(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   ghosts_.clear();
   for (const int j : now_.partners)
     if (j >= atom->nlocal) ghosts_.push_back(j);

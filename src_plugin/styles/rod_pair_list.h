@@ -31,6 +31,9 @@ class RodPairList : protected Pointers {
   void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, double gap,
              bool migrated);
 
+  // Whether the rods and ghosts at hand are those that the list is of, in the same places.
+  bool is_of_present_rods() const;
+
   // Ghosts that are in the list, ascending.
   const std::vector<int> &ghosts() const { return ghosts_; }
   // The search for the list that is there.
@@ -45,6 +48,7 @@ class RodPairList : protected Pointers {
   Contents now_, before_;
   spherocylinder::NearPairs near_;
   std::vector<int> ghosts_;
+  std::vector<int> ids_;  // of rods and ghosts, when LIGGGHTS last put them in order
 
   bool is_listed(int i, int j) const;
   void keep_histories(int dnum);
