@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <chrono>
+#include <csignal>
 #include <exception>
 #include <fstream>
 #include <mutex>
@@ -20,6 +22,7 @@ namespace {
 struct Options {
   long from = 0, to = 149;
   int jobs = 1, time_limit = 60;
+  double seconds = 1e9;
   std::string keep, only_write, program = LMP_PROGRAM;
 };
 
@@ -82,9 +85,22 @@ void judge_deck(long number, const fs::path &folder, const Options &options, Tal
   if (!right) tally.sentences[without_name(sentence).substr(0, 90)]++;
 }
 
+using Clock = std::chrono::steady_clock;
+const Clock::time_point kBegun = Clock::now();
+
+volatile std::sig_atomic_t interrupted = 0;
+
+bool time_is_over(const Options &options)
+{
+  return interrupted ||
+         std::chrono::duration<double>(Clock::now() - kBegun).count() > options.seconds;
+}
+
 void work(std::atomic<long> &next, const fs::path &scratch, const Options &options, Tally &tally)
 {
-  for (long number = next++; number <= options.to; number = next++) {
+  while (!time_is_over(options)) {
+    const long number = next++;
+    if (number > options.to) return;
     const fs::path folder = scratch / fmt::format("deck.{}", number);
     try {
       judge_deck(number, folder, options, tally);
@@ -105,9 +121,9 @@ void work(std::atomic<long> &next, const fs::path &scratch, const Options &optio
   }
 }
 
-void report(const Options &options, Tally &tally)
+void report(Tally &tally)
 {
-  const long decks = options.to - options.from + 1;
+  const long decks = tally.right + tally.refused + tally.wrong;
   fmt::print("{} decks: {} right ({} of them in a second setting as well), {} refused with a "
              "sentence, {} wrong\n", decks, tally.right, tally.twins, tally.refused, tally.wrong);
   const Held &h = held();
@@ -131,6 +147,7 @@ int main(int argc, char **argv)
   app.add_option("--to", options.to, "last deck");
   app.add_option("--jobs", options.jobs, "decks at a time");
   app.add_option("--time-limit", options.time_limit, "seconds for one deck");
+  app.add_option("--seconds", options.seconds, "begin no deck after so many seconds");
   app.add_option("--keep", options.keep, "folder for the decks that end wrong");
   app.add_option("--write", options.only_write, "write the deck --from into this folder, run nothing");
   app.add_option("--lmp", options.program, "program to run instead of the built lmp");
@@ -149,6 +166,7 @@ int main(int argc, char **argv)
     fmt::print("cannot make the folder {}\n", scratch);
     return 2;
   }
+  std::signal(SIGTERM, [](int) { interrupted = 1; });  // ends with the report of what was run
   Tally tally;
   std::atomic<long> next{options.from};
   std::vector<std::thread> threads;
@@ -156,6 +174,6 @@ int main(int argc, char **argv)
     threads.emplace_back([&] { work(next, scratch, options, tally); });
   for (std::thread &thread : threads) thread.join();
   fs::remove_all(scratch);
-  report(options, tally);
+  report(tally);
   return tally.wrong == 0 ? 0 : 1;
 }
