@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How the plug-in enters a stock LIGGGHTS. libliggghts calls its own exported functions through
 // its procedure linkage table, so that a library found earlier in symbol look-up (this one, linked
-// before it or named in LD_PRELOAD) stands in front of them. Five functions are enough:
+// before it or named in LD_PRELOAD) stands in front of them. Five functions, and that of
+// dump_diameter.cpp, are enough:
 //   LAMMPS::post_create  runs after construction and after the `clear` command
 //   Atom::new_avec       is asked for every atom style
 //   Input::execute_command, LAMMPS::init  where rods meet what LIGGGHTS offers: refused styles end here

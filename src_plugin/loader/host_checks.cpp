@@ -2,6 +2,7 @@
 #include "host_checks.h"
 
 #include <cstring>
+#include <set>
 #include <string>
 
 #include "atom.h"
@@ -158,6 +159,24 @@ void check_ghosts(LAMMPS *lmp)
                   lmp->group->names[group]);
 }
 
+// Simulations whose fixes are others than when their last run was prepared. With `pre no` LIGGGHTS
+// goes on with its lists of fixes by number: a new one is not called, and behind one that is gone
+// others are called in its place, or memory that is no fix's.
+std::set<const LAMMPS *> &with_other_fixes()
+{
+  static std::set<const LAMMPS *> simulations;
+  return simulations;
+}
+
+void check_run(LAMMPS *lmp, int narg, char **arg)
+{
+  if (lmp->update->first_update == 0 || with_other_fixes().count(lmp) == 0) return;
+  for (int k = 1; k + 1 < narg && !is(arg[k], "every"); k++)
+    if (is(arg[k], "pre") && is(arg[k + 1], "no"))
+      rod_error_all(lmp, "Command run: pre no cannot be used after fix, unfix or uncompute, it goes on "
+                         "with the fixes of the run before (expected run without pre no)");
+}
+
 void say_if_rods_cannot_touch(LAMMPS *lmp)
 {
   if (!lmp->force->pair && lmp->comm->me == 0)
@@ -174,6 +193,9 @@ void check_command_before(LAMMPS *lmp, const char *command, int narg, char **arg
   check(lmp, HostKind::BuiltIn, command);
   check(lmp, HostKind::Command, command);
   check_words(lmp, command, narg, arg);
+  if (is(command, "run")) check_run(lmp, narg, arg);
+  if (is(command, "fix") || is(command, "unfix") || is(command, "uncompute"))
+    with_other_fixes().insert(lmp);
 }
 
 void check_command_after(LAMMPS *lmp)
@@ -183,6 +205,7 @@ void check_command_after(LAMMPS *lmp)
 
 void check_styles_at_run_start(LAMMPS *lmp)
 {
+  with_other_fixes().erase(lmp);
   if (!has_rods(lmp)) return;
   renew_lists_in_time(lmp);
   check_ghosts(lmp);

@@ -44,7 +44,7 @@ std::vector<HostStyle> command_rows()
       row(kMap, "read_restart", kRight, "give pair_style and walls again, with surface spherocylinder"),
       row(kMap, "replicate", kRight, ""),
       row(kMap, "rotate", kRefused, "it turns the centres and not the axes; use displace_atoms rotate"),
-      row(kMap, "run", kRight, ""),
+      row(kMap, "run", kRight, "pre no: while rods and fixes stay as they were"),
       row(kMap, "run_time", kRight, ""),
       row(kMap, "set", kDifferent,
           "diameter and length are the rod's own, axis and quat turn it, and all that follows from them "
@@ -119,7 +119,8 @@ std::vector<HostStyle> command_rows()
       row(kBuiltIn, "thermo", kRight, ""),
       row(kBuiltIn, "thermo_log", kRight, ""),
       row(kBuiltIn, "thermo_modify", kRight, ""),
-      row(kBuiltIn, "thermo_style", kDifferent, "ke, temp, press and pe as the computes of that name; erotate is refused"),
+      row(kBuiltIn, "thermo_style", kDifferent,
+          "ke as the compute of that name, erotate is refused; LIGGGHTS has no temp, press and pe"),
       row(kBuiltIn, "timestep", kRight, ""),
       row(kBuiltIn, "uncompute", kRight, ""),
       row(kBuiltIn, "undump", kRight, ""),

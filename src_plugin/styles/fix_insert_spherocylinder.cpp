@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_insert_spherocylinder.h"
 
+#include <climits>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -31,34 +32,45 @@ double number(LAMMPS *lmp, char **arg, const char *keyword, const std::string &w
   return value;
 }
 
+// A whole number, however it is written, as LIGGGHTS reads it.
+std::string whole(LAMMPS *lmp, char **arg, const char *keyword, double value,
+                  const std::string &word)
+{
+  if (value != std::floor(value) || std::fabs(value) > INT_MAX)
+    rod_error_all(lmp, "Fix %s (id %s): %s must be a whole number (got %s)", arg[2], arg[0], keyword,
+                  word.c_str());
+  return std::to_string(static_cast<int>(value));
+}
+
 struct Numbers {
   const char *keyword, *kind;  // kind: the word between keyword and numbers, null without
   int count;
-  const char *or_word;  // may stand for the number
+  const char *or_word;    // may stand for the number
+  bool is_whole = false;  // LIGGGHTS reads it by atoi, which takes 1e3 for 1
 };
 
-// What LIGGGHTS reads by atof, which takes a word for 0.
+// What LIGGGHTS reads by atof and atoi, which take a word for 0.
 constexpr Numbers kNumbers[] = {
     {"vel", "constant", 3, nullptr},
     {"vel", "uniform", 6, nullptr},
     {"vel", "gaussian", 6, nullptr},
     {"omega", "constant", 3, nullptr},
     {"orientation", "constant", 4, nullptr},
-    {"maxattempt", nullptr, 1, nullptr},
-    {"nparticles", nullptr, 1, "INF"},
+    {"maxattempt", nullptr, 1, nullptr, true},
+    {"nparticles", nullptr, 1, "INF", true},
     {"mass", nullptr, 1, "INF"},
     {"particlerate", nullptr, 1, nullptr},
     {"massrate", nullptr, 1, nullptr},
-    {"insert_every", nullptr, 1, "once"},
+    {"insert_every", nullptr, 1, "once", true},
     {"insert_every_time", nullptr, 1, "once"},
-    {"every", nullptr, 1, "once"},
-    {"start", nullptr, 1, nullptr},
+    {"every", nullptr, 1, "once", true},
+    {"start", nullptr, 1, nullptr, true},
     {"volumefraction_region", nullptr, 1, nullptr},
-    {"particles_in_region", nullptr, 1, nullptr},
+    {"particles_in_region", nullptr, 1, nullptr, true},
     {"mass_in_region", nullptr, 1, nullptr},
-    {"ntry_mc", nullptr, 1, nullptr},
+    {"ntry_mc", nullptr, 1, nullptr, true},
     {"extrude_length", nullptr, 1, nullptr},
-    {"duration", nullptr, 1, nullptr},
+    {"duration", nullptr, 1, nullptr, true},
     {"duration_time", nullptr, 1, nullptr}};
 
 // Keywords whose value is a name that may be spelled like a keyword.
@@ -140,6 +152,7 @@ InsertionArguments::InsertionArguments(LAMMPS *lmp, int narg, char **arg) : word
       double values[6];
       for (int m = 0; m < wanted.count; m++)
         values[m] = number(lmp, arg, wanted.keyword, words_[first + m]);
+      if (wanted.is_whole) words_[first] = whole(lmp, arg, wanted.keyword, values[0], words_[first]);
       if (strcmp(wanted.keyword, "orientation") == 0) {
         double squared = 0.0;
         for (int m = 0; m < 4; m++) squared += values[m] * values[m];

@@ -171,7 +171,7 @@ void FixMoveSpherocylinder::check_first_step(int i, const double *before, double
   rod_error_one(lmp,
                 "Fix move (id %s): rod %d would jump by %g in the first step of this run: it is not "
                 "where it was when the fix was defined, plus the motion since (it has joined the "
-                "group later, or set, displace_atoms, read_dump, timestep or reset_timestep came "
+                "group later, or set, displace_atoms, timestep or reset_timestep came "
                 "between); unfix and define the fix again",
                 id, atom->tag[i], std::max(is_variable_ ? moved : jump, swing));
 }

@@ -109,6 +109,8 @@ int LAMMPS_NS::check_each_rod_is_integrated_once(LAMMPS *lmp)
 
 void LAMMPS_NS::check_new_rods_are_integrated(LAMMPS *lmp, int groups)
 {
+  // Between runs rods may wait for their group and integrator.
+  if (lmp->update->whichflag != 1) return;
   bigint count = 0;
   const int first = first_still(lmp, groups, count);
   if (count > 0)

@@ -6,6 +6,7 @@
 #include "atom.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
+#include "rod_checks.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
@@ -13,13 +14,25 @@ namespace sc = spherocylinder;
 void VelocityOfRods::command(int narg, char **arg)
 {
   const bool gives_angmom = narg >= 2 && strcmp(arg[1], "setAngular") == 0;
-  // Keyword sum adds to the angular momentum.
-  if (gives_angmom) match_angular_momentum();
+  if (gives_angmom) {
+    check_rods_have_inertia();
+    match_angular_momentum();  // to which keyword sum adds
+  }
   Velocity::command(narg, arg);
   if (gives_angmom)
     match_omega();
   else
     match_angular_momentum();
+}
+
+// Of create_atoms they have none before `set` gives them a size.
+void VelocityOfRods::check_rods_have_inertia()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->inertia[i][0] == 0.0)
+      rod_error_one(lmp, "Command velocity: setAngular wants the size of rod %d first, by set ... "
+                         "diameter D length L density RHO",
+                    atom->tag[i]);
 }
 
 // `set` and data files may have changed omega since.

@@ -17,6 +17,7 @@ class VelocityOfRods : protected Velocity {
   void command(int narg, char **arg);
 
  private:
+  void check_rods_have_inertia();
   void match_angular_momentum();
   void match_omega();
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "wall_arguments.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "force.h"
@@ -19,7 +20,9 @@ char some_position[] = "0.0";
 
 WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
 {
-  for (int k = 0; k < narg; k++) {
+  constexpr int kFirst = 3;  // after id, group and style, which may have any names
+  others.assign(arg, arg + std::min(narg, kFirst));
+  for (int k = kFirst; k < narg; k++) {
     if (strcmp(arg[k], "turn") != 0) {
       others.push_back(arg[k]);
       continue;
@@ -33,7 +36,7 @@ WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
   }
 
   // primitive type tp wallstyle position
-  for (size_t k = 0; k + 4 < others.size(); k++) {
+  for (size_t k = kFirst; k + 4 < others.size(); k++) {
     if (strcmp(others[k], "primitive") != 0) continue;
     const char *style = others[k + 3];
     const bool is_plane = strlen(style) == 6 && strcmp(style + 1, "plane") == 0;

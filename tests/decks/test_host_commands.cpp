@@ -93,6 +93,22 @@ TEST(HostCommands, VelocitySetAngularTurnsRods)
     EXPECT_LT(norm(frame.rods[0].angular_momentum() - Vec3{1e-4, 2e-4, -3e-4}), 1e-16);
 }
 
+// A rod that create_atoms has made has no inertia yet, and no angular velocity follows.
+TEST(HostCommands, VelocitySetAngularWantsTheSize)
+{
+  const DeckFolder folder;
+  Scene scene = scene_of({Rod{}}, kMotion);
+  folder.write("rods.data", data_file(scene));
+  folder.write("in.rods", preamble(scene) + "read_data rods.data\n" + scene.physics +
+                              "create_atoms 1 single 0.0 0.5 0.0 units box\n"
+                              "velocity all setAngular 1e-4 0.0 0.0\n"
+                              "set atom 2 diameter 0.01 length 0.1 density 2700\nrun 1\n");
+  const Outcome outcome = folder.run("in.rods", {Program::Lmp, 1, 60});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.output.find("setAngular wants the size of rod 2 first"), std::string::npos)
+      << outcome.output;
+}
+
 TEST(HostCommands, VelocityZeroAngularIndividualStopsSpins)
 {
   std::vector<Rod> rods = raft();

@@ -195,6 +195,21 @@ TEST_P(Insertions, ARegionIsKeptAtItsMassAndNumber)
   }
 }
 
+// LIGGGHTS's atoi takes 2e1 for 2.
+TEST_P(Insertions, WholeNumbersMayBeWrittenAsOthers)
+{
+  const DeckFolder folder;
+  const Outcome outcome =
+      run_deck(folder,
+               "region feed block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box\nfix pour all insert/pack seed "
+               "86028121 distributiontemplate rods insert_every once overlapcheck yes all_in no "
+               "maxattempt 1.0e2 region feed particles_in_region 2e1\n" +
+                   exact_dump("dump.rods", 1, kColumns) + "run 1\n",
+               GetParam());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(read_dump(folder / "dump.rods").back().atoms.rows.size(), 20u);
+}
+
 INSTANTIATE_TEST_SUITE_P(, Insertions, testing::Values(1, 2));
 
 // Two ranks' parts of a region 0.08 wide, cut in its middle: of rods 0.07 long, no centre finds a
@@ -239,6 +254,8 @@ TEST(InsertionCommand, RefusesWhatItCannotMean)
   EXPECT_NE(error_of("orientation constant 0.7 0.7 0 0.7" + rest).find("must have length 1"),
             std::string::npos);
   EXPECT_NE(error_of("region feed particles_in_region many").find("particles_in_region must be a number"),
+            std::string::npos);
+  EXPECT_NE(error_of("region feed particles_in_region 2.5").find("must be a whole number (got 2.5)"),
             std::string::npos);
   EXPECT_NE(error_of("compress_tags yes" + rest).find("compress_tags yes"), std::string::npos);
   EXPECT_NE(error_of("check_dist_from_subdomain_border no" + rest, 2).find("needs one rank"),

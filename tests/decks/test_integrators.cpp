@@ -95,6 +95,41 @@ TEST(Integrators, FrozenAndDrivenRodsCount)
   EXPECT_NEAR(last.rods[1].position.z, 0.05, 1e-14);
 }
 
+// Between two runs rods are made, and handed from rank to rank, before they get their integrator.
+TEST(Integrators, NewRodsMayWaitForOneBetweenRuns)
+{
+  for (const int ranks : {1, 2}) {
+    const Outcome outcome = outcome_of(two_rods(R"(timestep 2e-5
+group old id 1 2
+fix motion old nve/spherocylinder
+run 10
+create_atoms 1 single 0.0 -0.5 0.0 units box
+set atom 3 diameter 0.01 length 0.1 density 2700
+displace_atoms all move 0.0 0.1 0.0 units box
+group old id 3
+)"), ranks);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  }
+}
+
+// LIGGGHTS would go on with its list of fixes by number, one of which is gone.
+TEST(Integrators, RunPreNoWantsTheSameFixes)
+{
+  for (const char *change : {"unfix down", "unfix push", "fix more all addforce 1.0 0.0 0.0"}) {
+    const Outcome outcome = outcome_of(two_rods(std::string(R"(timestep 2e-5
+fix motion all nve/spherocylinder
+fix down all gravity 9.81 vector 0.0 0.0 -1.0
+fix push all addforce 1.0 0.0 0.0
+run 10
+run 10 pre no
+)") + change + "\nrun 10 pre no\n"));
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_NE(outcome.output.find("Command run: pre no cannot be used after fix"),
+              std::string::npos)
+        << outcome.output;
+  }
+}
+
 // Rods inserted into a group that nothing moves.
 TEST(Integrators, NewRodsWantOneToo)
 {

@@ -89,6 +89,18 @@ TEST(WallsOfMovedRods, FeelThem)
       }
 }
 
+// The fix may be named after its keyword.
+TEST(MovingPlanes, TurnIsAnId)
+{
+  const DeckFolder folder;
+  const Outcome outcome = run_deck(
+      folder, rod_over_a_wall(2, 0.02),
+      "fix motion all nve/spherocylinder\n"
+      "fix turn all wall/gran model linear tangential history surface spherocylinder primitive "
+      "type 1 zplane 0.0 turn 1.0 0.0 0.0\nrun 1\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
 // A rod that is held where it is: an end gives kn times its depth less the damping 2 beta sqrt(kn m_eff) times
 // the plane's speed, with 1/m_eff of one of two ends that share the load.
 TEST(MovingPlanes, PushByTheirPlaceAndTheirSpeed)
