@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "atom.h"
+#include "comm.h"
 #include "fix_property_atom.h"
 #include "input.h"
 #include "loader/member_access.h"
@@ -61,6 +62,7 @@ FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments 
   if (arguments_.turns && !primitiveWall_)
     rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane (got no primitive wall)", id);
   arguments_.others.clear();  // the deck's line is not kept
+  restart_global = has_variable();
   if (primitiveWall_) check_shear();
 }
 
@@ -126,6 +128,24 @@ void FixWallGranSpherocylinder::move_plane()
   wall_ = moving_wall();
   if (std::fabs(position - listed_position_) > kUsedOfSkin * neighbor->skin)
     rebuildPrimitiveNeighlist_ = true;
+}
+
+void FixWallGranSpherocylinder::write_restart(FILE *file)
+{
+  if (comm->me != 0) return;
+  const double state[] = {position_, speed_, static_cast<double>(position_step_)};
+  const int size = sizeof(state);
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(state, 1, size, file);
+}
+
+void FixWallGranSpherocylinder::restart(char *state)
+{
+  if (!has_variable()) return;  // it may have had one when the file was written
+  const double *values = reinterpret_cast<const double *>(state);
+  position_ = values[0];
+  speed_ = values[1];
+  position_step_ = static_cast<bigint>(values[2]);
 }
 
 // LIGGGHTS gives `shear` along the cylinder's axis as a velocity, across it as a rate about the

@@ -19,6 +19,9 @@ class FixWallGranSpherocylinder : public FixWallGran {
  public:
   FixWallGranSpherocylinder(LAMMPS *lmp, int narg, char **arg);
   void init() override;
+  // Where a plane with a variable is, and how fast: the first forces of a continued run want its speed.
+  void write_restart(FILE *file) override;
+  void restart(char *state) override;
 
  protected:
   void pre_neighbor() override;

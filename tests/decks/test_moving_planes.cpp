@@ -133,6 +133,39 @@ TEST(MovingPlanes, PushByTheirPlaceAndTheirSpeed)
       }
 }
 
+// The dashpot's force in the first step after a restart is that in the first step of a second run.
+TEST(MovingPlanes, KeepTheirSpeedInARestart)
+{
+  const std::string lid =
+      "variable place equal 0.0051-0.5*step*dt\n"
+      "fix hold held move linear 0.0 0.0 0.0\nfix motion free nve/spherocylinder\n"
+      "fix lid all wall/gran model linear tangential history surface spherocylinder primitive "
+      "type 1 zplane v_place store_force yes\ncompute f all reduce sum f_force_lid[3]\n"
+      "thermo_style custom step c_f\nthermo 100\nthermo_modify norm no\n";
+  for (const int ranks : {1, 2}) {
+    const DeckFolder folder;
+    const Outcome whole = run_deck(folder, rod_over_a_wall(2, 0.0),
+                                   "group held id 1\ngroup free id 2\n" + lid +
+                                       "run 50\nwrite_restart rods.restart\nrun 10\n",
+                                   ranks);
+    ASSERT_EQ(whole.exit_code, 0) << whole.output;
+    folder.write("in.rest", preamble(Scene{}) + "read_restart rods.restart\nneighbor 0.02 bin\n" +
+                                "neigh_modify delay 0\n" +
+                                linear_material(kStiffness, 5.7e3, 0.5, 0.2) + rod_pair(kModels) +
+                                "timestep 2e-5\n" + lid + "run 10\n");
+    const Outcome rest = folder.run("in.rest", {Program::Lmp, ranks, 60});
+    ASSERT_EQ(rest.exit_code, 0) << rest.output;
+    const auto wanted = read_thermo(whole.output).rows, got = read_thermo(rest.output).rows;
+    ASSERT_GE(wanted.size(), 2u);
+    ASSERT_EQ(got.size(), 2u);
+    for (size_t k = 0; k < 2; k++) {
+      const auto &row = wanted[wanted.size() - 2 + k];
+      EXPECT_EQ(got[k][0], row[0]);
+      EXPECT_NEAR(got[k][1], row[1], 1e-6 * std::fabs(row[1]));
+    }
+  }
+}
+
 // A plane that goes up and down under a rod is the rod going up and down over a plane at rest: the same
 // forces in frames that move past each other at constant speed, tangential springs included.
 TEST(MovingPlanes, AreAsRodsThatMove)
