@@ -177,9 +177,10 @@ void deform_box(Draft &draft)
   draft.effects.deformed = d;
   draft.effects.rate = draft.random.uniform(-3.0, 3.0);
   draft.effects.every = draft.random.pick({1, 1, 5});
+  const std::string remap = draft.random.pick({"x", "v", "none"});
+  draft.effects.remaps_x = remap == "x";
   draft.fix_text += fmt::format("fix squeeze all deform {} {} erate {:.17g} remap {}\n",
-                                draft.effects.every, "xyz"[d], draft.effects.rate,
-                                draft.random.pick({"x", "v", "none"}));
+                                draft.effects.every, "xyz"[d], draft.effects.rate, remap);
   draft.effects.box_changes = true;
   draft.effects.only_internal = false;
   draft.effects.energy_may_grow = true;

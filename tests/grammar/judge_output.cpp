@@ -33,7 +33,8 @@ void grow(Box &box, const Run &run, double time)
   box.hi[d] += by;
 }
 
-// The box of the run's last step. Contacts of a step know the box before the step's own change.
+// The box of the run's last step. Contacts of a step know the box, and rods that go with it, before
+// the step's own change.
 Box make_boxes_exact(std::vector<State> &states, const Run &run, const Box &at_start)
 {
   Box box = at_start;
@@ -43,9 +44,16 @@ Box make_boxes_exact(std::vector<State> &states, const Run &run, const Box &at_s
     grow(box, run, run.dt * static_cast<double>(steps));
     make_exact(state.box, box);
     if (run.effects.deformed < 0 || !state.box.exact || steps == 0) continue;
-    state.box.lo[run.effects.deformed] = at_start.lo[run.effects.deformed];
-    state.box.hi[run.effects.deformed] = at_start.hi[run.effects.deformed];
+    const Box after = state.box;
+    const int d = run.effects.deformed;
+    state.box.lo[d] = at_start.lo[d];
+    state.box.hi[d] = at_start.hi[d];
     grow(state.box, run, run.dt * static_cast<double>(steps - run.effects.every));
+    if (!run.effects.remaps_x) continue;
+    for (auto &[id, rod] : state.rods) {
+      double &along = component(rod.x, d);
+      along = state.box.lo[d] + (along - after.lo[d]) * state.box.period(d) / after.period(d);
+    }
   }
   return box;
 }

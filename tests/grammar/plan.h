@@ -67,6 +67,7 @@ struct Effects {
   int deformed = -1;                 // dimension of a box that grows about its middle
   double rate = 0.0;                 // by this share in a unit of time
   long every = 1;                    // in one step of so many
+  bool remaps_x = false;             // the rods go with it
   bool counts_all_pairs = true;      // false: some pairs are excluded
   std::set<int> still;               // frozen, or without a way to move
   std::map<int, Driven> driven;
