@@ -67,6 +67,7 @@ void choose_rods(Draft &draft);       // data file or insertion
 void choose_fixes(Draft &draft);
 void choose_computes(Draft &draft);
 void choose_runs(Draft &draft);       // runs and what happens between them
+void spoil_deck(Draft &draft);        // a mistake in one line
 
 void place_rods(Draft &draft);
 std::string data_file(const Draft &draft);

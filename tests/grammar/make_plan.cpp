@@ -83,6 +83,7 @@ Plan make_plan(long number, Setting setting)
   choose_runs(draft);
   write_runs(draft);
   draft.plan.start = draft.rods;
+  if (draft.random.chance(0.1)) spoil_deck(draft);
   if (setting == Setting::OtherRanks) draft.plan.ranks = draft.plan.ranks == 1 ? 2 : 1;
   return draft.plan;
 }

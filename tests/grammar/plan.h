@@ -104,6 +104,7 @@ struct Plan {
   int fewest_rods = 0, most_rods = 0;
   bool local_rows = false;  // dump.rows: id id periodic force delta point normal of each pair
   Setting twin = Setting::Same;
+  bool spoilt = false;  // there is a mistake in it: only how it ends is judged
 };
 
 // The deck of a number, always the same; in a setting, with the plan's motion unchanged.

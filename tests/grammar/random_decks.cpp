@@ -23,6 +23,7 @@ struct Options {
   long from = 0, to = 149;
   int jobs = 1, time_limit = 60;
   double seconds = 1e9;
+  bool only_spoilt = false;
   std::string keep, only_write, program = LMP_PROGRAM;
 };
 
@@ -57,6 +58,7 @@ bool run_plan(const Plan &plan, const fs::path &folder, const Options &options, 
     sentence = sentence_of(ended.output);
     return false;
   }
+  if (plan.spoilt) return true;
   last = judge_results(plan, folder, ended.output);
   return true;
 }
@@ -64,6 +66,7 @@ bool run_plan(const Plan &plan, const fs::path &folder, const Options &options, 
 void judge_deck(long number, const fs::path &folder, const Options &options, Tally &tally)
 {
   const Plan plan = make_plan(number);
+  if (options.only_spoilt && !plan.spoilt) return;
   fs::create_directories(folder);
   State last, of_twin;
   std::string sentence;
@@ -149,6 +152,7 @@ int main(int argc, char **argv)
   app.add_option("--time-limit", options.time_limit, "seconds for one deck");
   app.add_option("--seconds", options.seconds, "begin no deck after so many seconds");
   app.add_option("--keep", options.keep, "folder for the decks that end wrong");
+  app.add_flag("--only-spoilt", options.only_spoilt, "only the decks with a mistake in one line");
   app.add_option("--write", options.only_write, "write the deck --from into this folder, run nothing");
   app.add_option("--lmp", options.program, "program to run instead of the built lmp");
   CLI11_PARSE(app, argc, argv);
