@@ -15,7 +15,7 @@
 #include "group.h"
 #include "host_styles.h"
 #include "lammps.h"
-#include "loader/member_access.h"
+#include "host/member_access.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
@@ -184,6 +184,16 @@ void say_if_rods_cannot_touch(LAMMPS *lmp)
                      "other");
 }
 
+// LIGGGHTS asks for atom types that start from 1 then.
+void check_there_is_a_rod(LAMMPS *lmp)
+{
+  if (lmp->atom->natoms > 0) return;
+  for (int i = 0; i < lmp->modify->nfix; i++)
+    if (strncmp(lmp->modify->fix[i]->style, "particletemplate/", 17) == 0) return;
+  rod_error_all(lmp, "Atom style spherocylinder: there is no rod and no fix particletemplate/spherocylinder "
+                     "to make one; wanted rods from read_data, create_atoms or an insertion");
+}
+
 }  // namespace
 
 void check_command_before(LAMMPS *lmp, const char *command, int narg, char **arg)
@@ -210,7 +220,10 @@ void check_styles_at_run_start(LAMMPS *lmp)
   renew_lists_in_time(lmp);
   check_ghosts(lmp);
   check_contact_styles_know_rods(lmp);  // before the pair style looks at stored histories
-  if (lmp->update->whichflag == 1) say_if_rods_cannot_touch(lmp);
+  if (lmp->update->whichflag == 1) {
+    check_there_is_a_rod(lmp);
+    say_if_rods_cannot_touch(lmp);
+  }
   check_box(lmp);
   check(lmp, HostKind::Units, lmp->update->unit_style);
   check(lmp, HostKind::Integrate, lmp->update->integrate_style);

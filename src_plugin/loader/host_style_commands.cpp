@@ -28,7 +28,8 @@ std::vector<HostStyle> command_rows()
       row(kMap, "change_box", kDifferent,
           "remap moves the rods' centres; axes and sizes do not change; no tilt"),
       row(kMap, "create_atoms", kDifferent,
-          "makes particles without a size, which a run refuses: set ... diameter D length L gives it"),
+          "makes particles without a size, which a run refuses: set ... diameter D length L gives it; "
+          "random takes its number for the seed, as with spheres"),
       row(kMap, "create_box", kRight, "no prism region"),
       row(kMap, "delete_atoms", kRight, "of overlap: by the distance of centres"),
       row(kMap, "delete_bonds", kRefused, kNoBonds),
@@ -42,7 +43,8 @@ std::vector<HostStyle> command_rows()
       row(kMap, "read_dump", kRefused, "it moves the centres and not the axes; use read_restart or "
                                        "read_data"),
       row(kMap, "read_restart", kRight, "give pair_style and walls again, with surface spherocylinder"),
-      row(kMap, "replicate", kRight, ""),
+      row(kMap, "replicate", kRight,
+          "the copies' ids go on from the highest one; contacts across a periodic face begin anew"),
       row(kMap, "rotate", kRefused, "it turns the centres and not the axes; use displace_atoms rotate"),
       row(kMap, "run", kRight, "pre no: while rods and fixes stay as they were"),
       row(kMap, "run_time", kRight, ""),
@@ -101,7 +103,8 @@ std::vector<HostStyle> command_rows()
       row(kBuiltIn, "package", kRight, "Debian's library has no accelerator packages"),
       row(kBuiltIn, "pair_coeff", kRight, "* *"),
       row(kBuiltIn, "pair_modify", kRight, ""),
-      row(kBuiltIn, "pair_style", kRight, "see its table"),
+      row(kBuiltIn, "pair_style", kRight,
+          "see its table; given again, contacts begin anew, as with spheres"),
       row(kBuiltIn, "pair_write", kRefused, "a granular pair has no function of distance to write; "
                                             "leave it out"),
       row(kBuiltIn, "partition", kRight, ""),

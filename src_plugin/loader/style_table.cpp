@@ -11,8 +11,9 @@
 #include "lammps.h"
 #include "modify.h"
 #include "read_data.h"
+#include "replicate.h"
 #include "set.h"
-#include "loader/member_access.h"
+#include "host/member_access.h"
 #include "styles/atom_vec_spherocylinder.h"
 #include "styles/balance.h"
 #include "styles/compute_contact_spherocylinder.h"
@@ -35,6 +36,7 @@
 #include "styles/fix_particletemplate_spherocylinder.h"
 #include "styles/fix_wall_gran_spherocylinder.h"
 #include "styles/read_data_spherocylinder.h"
+#include "styles/replicate_rods.h"
 #include "styles/set_spherocylinder.h"
 #include "styles/velocity_of_rods.h"
 
@@ -167,6 +169,7 @@ void add_styles(LAMMPS *lmp)
   commands["delete_atoms"] = &run_command_for<DeleteAtomsSpherocylinder, DeleteAtoms>;
   commands["displace_atoms"] = &run_command_for<DisplaceRods, DisplaceAtoms>;
   commands["read_data"] = &run_command_for<ReadDataSpherocylinder, ReadData>;
+  commands["replicate"] = &run_command_for<ReplicateRods, Replicate>;
   commands["set"] = &run_command_for<SetSpherocylinder, Set>;
   commands["velocity"] = &run_command_for<VelocityOfRods, Velocity>;
   computes["property/atom"] = &create_property_atom;

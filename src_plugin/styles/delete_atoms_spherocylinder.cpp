@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "delete_atoms_spherocylinder.h"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <cstring>
 #include <utility>
@@ -10,10 +8,10 @@
 
 #include "atom.h"
 #include "atom_vec_spherocylinder.h"
-#include "comm.h"
 #include "delete_atoms.h"
 #include "fix_contact_history_spherocylinder.h"
 #include "force.h"
+#include "from_all_ranks.h"
 #include "pair_gran.h"
 #include "sudden_overlaps.h"
 
@@ -26,19 +24,12 @@ using IdPair = std::pair<int, int>;  // before, after
 // Of all ranks' rods, in the order of the ids before.
 std::vector<IdPair> all_ids(LAMMPS *lmp, const std::vector<int> &before)
 {
-  const int ranks = lmp->comm->nprocs;
   std::vector<int> mine;
   for (size_t i = 0; i < before.size(); i++) {
     mine.push_back(before[i]);
     mine.push_back(lmp->atom->tag[i]);
   }
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(ranks), places(ranks, 0);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, lmp->world);
-  for (int k = 1; k < ranks; k++) places[k] = places[k - 1] + counts[k - 1];
-  std::vector<int> all(places.back() + counts.back());
-  MPI_Allgatherv(mine.data(), count, MPI_INT, all.data(), counts.data(), places.data(), MPI_INT,
-                 lmp->world);
+  const std::vector<int> all = from_all_ranks(lmp->world, mine);
 
   std::vector<IdPair> ids;
   for (size_t k = 0; k < all.size(); k += 2) ids.emplace_back(all[k], all[k + 1]);

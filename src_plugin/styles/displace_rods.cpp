@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "displace_rods.h"
 
+#include <algorithm>
 #include <cstring>
+#include <vector>
 
 #include "atom.h"
+#include "comm.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
 #include "fix.h"
+#include "fix_contact_history_spherocylinder.h"
+#include "fix_wall_gran_spherocylinder.h"
 #include "force.h"
+#include "from_all_ranks.h"
 #include "group.h"
 #include "modify.h"
+#include "pair_gran.h"
 #include "rod_checks.h"
 
 using namespace LAMMPS_NS;
@@ -58,6 +65,7 @@ void DisplaceRods::turn_rods(int groupbit, char **arg)
   const double length = sc::norm(direction);
   if (!(length > 0.0)) return;  // LIGGGHTS's error
   const sc::Quaternion rotation = sc::rotation_about((1.0 / length) * direction, angle);
+  turn_springs(groupbit, rotation);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     double *orientation = atom->quaternion[i];
@@ -65,4 +73,35 @@ void DisplaceRods::turn_rods(int groupbit, char **arg)
     for (double **spin : {atom->omega, atom->angmom})
       sc::store(sc::rotated(sc::load(spin[i]), rotation), spin[i]);
   }
+}
+
+// Contacts of rods that are turned together stay what they are. Those with walls and with rods that
+// are not turned begin anew.
+void DisplaceRods::turn_springs(int groupbit, const sc::Quaternion &rotation)
+{
+  bring_histories_to_rods(lmp);
+  std::vector<int> mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) mine.push_back(atom->tag[i]);
+  std::vector<int> ids = from_all_ranks(world, mine);
+  std::sort(ids.begin(), ids.end());
+
+  int forgotten[2] = {0, 0};
+  auto *pair = dynamic_cast<PairGran *>(force->pair);
+  auto *histories = pair ? dynamic_cast<FixContactHistorySpherocylinder *>(pair->get_fix_history())
+                         : nullptr;
+  if (histories)
+    forgotten[0] = histories->turn(
+        rotation, [&ids](int id) { return std::binary_search(ids.begin(), ids.end(), id); });
+  for (int k = 0; k < modify->nfix; k++)
+    if (auto *wall = dynamic_cast<FixWallGranSpherocylinder *>(modify->fix[k]))
+      forgotten[1] += wall->forget_contacts(groupbit);
+
+  int total[2];
+  MPI_Allreduce(forgotten, total, 2, MPI_INT, MPI_SUM, world);
+  if (total[0] + total[1] > 0 && comm->me == 0)
+    rod_warning(lmp,
+                "Displace_atoms rotate: %d contacts with rods that are not turned and %d of rods with "
+                "walls begin anew, without their friction springs",
+                total[0] / 2, total[1]);
 }

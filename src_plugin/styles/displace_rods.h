@@ -2,6 +2,7 @@
 #ifndef LMP_DISPLACE_RODS_H
 #define LMP_DISPLACE_RODS_H
 
+#include "core/rotation.h"
 #include "displace_atoms.h"
 
 namespace LAMMPS_NS {
@@ -18,6 +19,7 @@ class DisplaceRods : protected DisplaceAtoms {
  private:
   void check_nothing_drives(int groupbit, const char *group_name);
   void turn_rods(int groupbit, char **arg);
+  void turn_springs(int groupbit, const spherocylinder::Quaternion &rotation);
 };
 
 }  // namespace LAMMPS_NS

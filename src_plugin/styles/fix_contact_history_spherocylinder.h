@@ -2,6 +2,7 @@
 #ifndef LMP_FIX_CONTACT_HISTORY_SPHEROCYLINDER_H
 #define LMP_FIX_CONTACT_HISTORY_SPHEROCYLINDER_H
 
+#include "core/rotation.h"
 #include "fix_contact_history.h"
 
 namespace LAMMPS_NS {
@@ -36,9 +37,37 @@ class FixContactHistorySpherocylinder : public FixContactHistory {
     }
   }
 
+  // After rods, those whose id `is_turned(id)`, have been turned as one body by `rotation`. What two of
+  // them keep of their contact turns with them; a contact with a rod that has not been turned is
+  // forgotten. Returns how many, one for each of the two rods. Histories must be with their rods.
+  template <typename IsTurned>
+  int turn(const spherocylinder::Quaternion &rotation, IsTurned is_turned)
+  {
+    int forgotten = 0;
+    for (int i = 0; i < rods(); i++) {
+      const bool turned = is_turned(id_of(i));
+      int kept = 0;
+      for (int k = 0; k < npartner_[i]; k++) {
+        const int partner = partner_[i][k];
+        if (is_turned(partner) != turned) continue;
+        if (turned) turn_vectors(contacthistory(i, k), rotation);
+        move_partner(i, k, kept++, partner);
+      }
+      forgotten += npartner_[i] - kept;
+      npartner_[i] = kept;
+    }
+    return forgotten;
+  }
+
+  // Rod `to` begins with the contacts of rod `from`, its partners' ids higher by `shift`. (LIGGGHTS lets
+  // a copied atom share its original's memory.)
+  void copy_contacts(int from, int to, int shift);
+
  private:
   int rods() const;
+  int id_of(int i) const;
   void move_partner(int i, int from, int to, int id);
+  void turn_vectors(double *history, const spherocylinder::Quaternion &rotation) const;
 };
 
 // Brings the contact histories from the pair style's list to their rods, if they are there only.

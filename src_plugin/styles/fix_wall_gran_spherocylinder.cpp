@@ -7,9 +7,10 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "fix_property_atom.h"
 #include "input.h"
-#include "loader/member_access.h"
+#include "host/member_access.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "primitive_wall.h"
@@ -63,7 +64,11 @@ FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments 
     rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane (got no primitive wall)", id);
   arguments_.others.clear();  // the deck's line is not kept
   restart_global = has_variable();
-  if (primitiveWall_) check_shear();
+  if (!primitiveWall_) return;
+  const double radius = (primitiveWall_->*member(WallParameters()))[0];
+  if (surface_of(*primitiveWall_).is_cylinder && !(radius > 0.0 && std::isfinite(radius)))
+    rod_error_all(lmp, "Fix wall/gran (id %s): the cylinder's radius must be > 0 (got %g)", id, radius);
+  check_shear();
 }
 
 void FixWallGranSpherocylinder::check_shear() const
@@ -85,8 +90,49 @@ void FixWallGranSpherocylinder::init()
   FixWallGran::init();
   rod_wall_ = dynamic_cast<RodWall *>(impl);
   if (has_variable()) find_variable();
-  if (primitiveWall_) wall_ = moving_wall();
+  if (primitiveWall_) {
+    wall_ = moving_wall();
+    check_cylinder_is_wide_enough();
+    check_no_image_is_missed();
+  }
   near_rods_.forget();
+}
+
+void FixWallGranSpherocylinder::check_cylinder_is_wide_enough() const
+{
+  if (!wall_.surface.is_cylinder) return;
+  double mine = 0.0, thickest = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) mine = std::max(mine, atom->shape[i][0]);
+  MPI_Allreduce(&mine, &thickest, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (thickest >= wall_.surface.radius)
+    rod_error_all(lmp,
+                  "Fix wall/gran (id %s): the cylinder's radius %g must be larger than that of the "
+                  "thickest rod (got %g)",
+                  id, wall_.surface.radius, thickest);
+}
+
+// LIGGGHTS shows a wall to the rods of the box, not to their images beyond a periodic face.
+void FixWallGranSpherocylinder::check_no_image_is_missed() const
+{
+  const WallSurface &surface = wall_.surface;
+  const double *direction = &surface.direction.x, *point = &surface.point.x;
+  for (int d = 0; d < 3; d++) {
+    if (!domain->periodicity[d]) continue;
+    const bool is_normal = direction[d] != 0.0;
+    if (!surface.is_cylinder && is_normal)
+      rod_error_all(lmp,
+                    "Fix wall/gran (id %s): a plane across the periodic direction %c would not be "
+                    "seen from the other side of the box; wanted boundary f, s or m there",
+                    id, 'x' + d);
+    if (surface.is_cylinder && !is_normal &&
+        (point[d] - surface.radius < domain->boxlo[d] || point[d] + surface.radius > domain->boxhi[d]))
+      rod_error_all(lmp,
+                    "Fix wall/gran (id %s): the cylinder from %g to %g in the periodic direction %c "
+                    "must lie within the box, %g to %g",
+                    id, point[d] - surface.radius, point[d] + surface.radius, 'x' + d,
+                    domain->boxlo[d], domain->boxhi[d]);
+  }
 }
 
 void FixWallGranSpherocylinder::find_variable()
@@ -224,4 +270,18 @@ void FixWallGranSpherocylinder::forget_contacts_of_far_rods(double **history)
     else
       rod_wall_->part(i, history[i]);
   }
+}
+
+int FixWallGranSpherocylinder::forget_contacts(int groupbit_of_rods)
+{
+  if (!fix_history_primitive_) return 0;
+  int forgotten = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double *history = fix_history_primitive_->array_atom[i];
+    if (!(atom->mask[i] & groupbit_of_rods)) continue;
+    if (std::any_of(history, history + dnum(), [](double value) { return value != 0.0; }))
+      forgotten++;
+    std::fill_n(history, dnum(), 0.0);
+  }
+  return forgotten;
 }

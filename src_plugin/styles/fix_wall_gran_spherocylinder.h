@@ -23,6 +23,9 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void write_restart(FILE *file) override;
   void restart(char *state) override;
 
+  // The group's rods begin their contacts with a primitive wall anew. Returns how many had one.
+  int forget_contacts(int groupbit_of_rods);
+
  protected:
   void pre_neighbor() override;
   void pre_force(int vflag) override;
@@ -49,6 +52,8 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void look_at_rods();
   MovingWall moving_wall() const;
   void check_shear() const;
+  void check_cylinder_is_wide_enough() const;
+  void check_no_image_is_missed() const;
   void forget_contacts_of_far_rods(double **history);
 };
 

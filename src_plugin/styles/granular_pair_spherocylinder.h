@@ -97,6 +97,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     spring_offset_ = history_offset("shearx");
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(model_);
+    if (has_tangential_) check_friction(lmp);
     if (batched_)
       linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential);
     close_pairs_.reset(*parent_, close_skin_);

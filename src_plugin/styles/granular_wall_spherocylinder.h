@@ -69,6 +69,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
     slider_.connect(models_[0], force->registry);
     monitor_.reset(rods);
     has_tangential_ = has_tangential_model(models_[0]);
+    if (has_tangential_) check_friction(lmp);
     if (batched_)
       linear_.values().connect(force->registry, BatchedLinear<ContactModel>::kTangential);
   }

@@ -23,6 +23,7 @@
 #include "lammps.h"
 #include "modify.h"
 #include "pair_gran.h"
+#include "property_registry.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -118,6 +119,12 @@ std::vector<char *> LAMMPS_NS::args_without_close_skin(LAMMPS *lmp, int nargs, c
       rod_error_all(lmp,
                     "Surface spherocylinder: close_skin must be auto or a length > 0 (got %s)", value);
   }
+  // Every keyword has one value; LIGGGHTS's reader takes it for granted.
+  if (others.size() % 2 == 1)
+    rod_error_all(lmp,
+                  "Surface spherocylinder: the keywords behind the models must each have a value (the "
+                  "last word, %s, has none)",
+                  others.back());
   return others;
 }
 
@@ -248,4 +255,18 @@ void LAMMPS_NS::check_contact_styles_know_rods(LAMMPS *lmp)
                     "spherocylinder (without it rods would touch as their bounding spheres)",
                     fix->style, fix->id);
   }
+}
+
+void LAMMPS_NS::check_friction(LAMMPS *lmp)
+{
+  PropertyRegistry &registry = lmp->force->registry;
+  double **friction = nullptr;
+  registry.connect("coeffFrict", friction, "surface spherocylinder");
+  for (int i = 1; friction && i <= registry.max_type(); i++)
+    for (int j = 1; j <= registry.max_type(); j++)
+      if (!(friction[i][j] >= 0.0))
+        rod_error_all(lmp,
+                      "Surface spherocylinder: coefficientFriction must be >= 0 (got %g for atom types "
+                      "%d and %d)",
+                      friction[i][j], i, j);
 }

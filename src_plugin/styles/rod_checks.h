@@ -43,11 +43,13 @@ bool check_rods_fit_periodic_box(LAMMPS *lmp, bool warn);
 // their rods.
 void check_pairs_touch_once(LAMMPS *lmp);
 
-// Without our surface model the stock pair and wall would use the rods' bounding spheres.
 // LIGGGHTS's property matrices end at the highest type that was in use when the run began.
 void check_types_have_properties(LAMMPS *lmp, int highest);
 
+// Without our surface model the stock pair and wall would use the rods' bounding spheres.
 void check_contact_styles_know_rods(LAMMPS *lmp);
 
+// Of contact models with a tangential force: friction would push with a coefficient < 0.
+void check_friction(LAMMPS *lmp);
 
 }  // namespace LAMMPS_NS

@@ -35,6 +35,14 @@ WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
     for (double &coordinate : centre) coordinate = lmp->force->numeric(FLERR, arg[++k]);
   }
 
+  // LIGGGHTS reads on without looking where the line ends.
+  for (size_t k = kFirst; k < others.size(); k++)
+    if (strcmp(others[k], "primitive") == 0 && k + 4 >= others.size())
+      rod_error_all(lmp,
+                    "Fix wall/gran (id %s): primitive must be followed by type, an atom type, a wall style "
+                    "and where it is (got %d words)",
+                    arg[0], static_cast<int>(others.size() - k - 1));
+
   // primitive type tp wallstyle position
   for (size_t k = kFirst; k + 4 < others.size(); k++) {
     if (strcmp(others[k], "primitive") != 0) continue;

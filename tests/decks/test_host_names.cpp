@@ -18,7 +18,7 @@
 #include "input.h"
 #include "lammps.h"
 #include "loader/host_styles.h"
-#include "loader/member_access.h"
+#include "host/member_access.h"
 #include "modify.h"
 
 using namespace LAMMPS_NS;

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+// Every rank's numbers one after the other, the same on all ranks, which must all call it.
+std::vector<int> from_all_ranks(MPI_Comm world, const std::vector<int> &mine);
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "replicate_rods.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+
+#include "atom.h"
+#include "fix_contact_history_spherocylinder.h"
+#include "force.h"
+#include "pair_gran.h"
+#include "rod_checks.h"
+
+using namespace LAMMPS_NS;
+
+int ReplicateRods::highest_id() const
+{
+  const int *tags = atom->tag;
+  const int mine = atom->nlocal > 0 ? *std::max_element(tags, tags + atom->nlocal) : 0;
+  int highest = 0;
+  MPI_Allreduce(&mine, &highest, 1, MPI_INT, MPI_MAX, world);
+  return highest;
+}
+
+void ReplicateRods::command(int narg, char **arg)
+{
+  bring_histories_to_rods(lmp);
+  const std::vector<int> ids(atom->tag, atom->tag + atom->nlocal);
+  const int highest = highest_id();
+  const bigint copies = narg < 3 ? 1
+                                 : bigint{force->inumeric(FLERR, arg[0])} *
+                                       force->inumeric(FLERR, arg[1]) *
+                                       force->inumeric(FLERR, arg[2]);
+  if (copies * highest > MAXTAGINT)
+    rod_error_all(lmp,
+                  "Replicate: " BIGINT_FORMAT " times ids up to %d need ids beyond the greatest one, %d",
+                  copies, highest, MAXTAGINT);
+  Replicate::command(narg, arg);
+  number_copies(ids, highest);
+}
+
+// LIGGGHTS has put the copies behind the originals, one whole copy of this rank's rods after the other, in
+// the same order on all ranks.
+void ReplicateRods::number_copies(const std::vector<int> &ids, int highest)
+{
+  auto *pair = dynamic_cast<PairGran *>(force->pair);
+  auto *histories = pair ? dynamic_cast<FixContactHistorySpherocylinder *>(pair->get_fix_history())
+                         : nullptr;
+  const int originals = static_cast<int>(ids.size());
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int original = i % originals, shift = i / originals * highest;
+    atom->tag[i] = ids[original] + shift;
+    if (histories && shift > 0) histories->copy_contacts(original, i, shift);
+  }
+  if (!atom->map_style) return;
+  atom->map_init();
+  atom->map_set();
+}
