@@ -221,6 +221,9 @@ void check_styles_at_run_start(LAMMPS *lmp)
   check_ghosts(lmp);
   check_contact_styles_know_rods(lmp);  // before the pair style looks at stored histories
   if (lmp->update->whichflag == 1) {
+    if (!(lmp->update->dt > 0.0))
+      rod_error_all(lmp, "Command timestep with atom_style spherocylinder: the time step must be > 0 (got %g)",
+                    lmp->update->dt);
     check_there_is_a_rod(lmp);
     say_if_rods_cannot_touch(lmp);
   }

@@ -4,10 +4,13 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "atom.h"
+#include "fix.h"
 #include "fix_contact_history_spherocylinder.h"
 #include "force.h"
+#include "modify.h"
 #include "pair_gran.h"
 #include "rod_checks.h"
 
@@ -24,6 +27,17 @@ int ReplicateRods::highest_id() const
 
 void ReplicateRods::command(int narg, char **arg)
 {
+  if (modify->fix_restart_in_progress())
+    rod_error_all(lmp, "Replicate must come after the first run (run 0 will do) when rods with contacts have "
+                       "been read from a restart file");
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix *fix = modify->fix[k];
+    if (strcmp(fix->style, "spring/self") == 0 || strcmp(fix->style, "store/state") == 0)
+      rod_error_all(lmp,
+                    "Replicate: fix %s (id %s) keeps where each rod was, and of a copy its original's "
+                    "place; define it after replicate",
+                    fix->style, fix->id);
+  }
   bring_histories_to_rods(lmp);
   const std::vector<int> ids(atom->tag, atom->tag + atom->nlocal);
   const int highest = highest_id();

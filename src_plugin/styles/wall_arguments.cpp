@@ -5,7 +5,9 @@
 #include <cstring>
 
 #include "force.h"
+#include "fix.h"
 #include "lammps.h"
+#include "modify.h"
 #include "rod_checks.h"
 
 using namespace LAMMPS_NS;
@@ -20,6 +22,11 @@ char some_position[] = "0.0";
 
 WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
 {
+  // A fix that is defined again leaves a gap until it is made, which LIGGGHTS's wall does not expect.
+  for (int k = 0; k < lmp->modify->nfix; k++)
+    if (!lmp->modify->fix[k])
+      rod_error_all(lmp, "Fix wall/gran (id %s) is defined already: unfix it first", arg[0]);
+
   constexpr int kFirst = 3;  // after id, group and style, which may have any names
   others.assign(arg, arg + std::min(narg, kFirst));
   for (int k = kFirst; k < narg; k++) {

@@ -309,6 +309,21 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"NegativeFriction",
                  {"peratomtypepair 1 0.3", "peratomtypepair 1 -0.2"},
                  {"coefficientFriction must be >= 0", "-0.2"}},
+        BadInput{"WallDefinedTwice",
+                 {"", "fix floor all wall/gran model linear tangential history surface "
+                      "spherocylinder primitive type 1 zplane 0.1"},
+                 {"Fix wall/gran (id floor)", "unfix it first"}},
+        BadInput{"NegativeTimeStep",
+                 {"timestep 1e-5", "timestep -1e-5"},
+                 {"time step must be > 0", "-1e-05"}},
+        BadInput{"ReplicateAfterRestart",
+                 {"", "run 1\nwrite_restart r\nclear\natom_style spherocylinder\natom_modify map "
+                      "array\nnewton off\ncommunicate single vel yes\nread_restart r\nreplicate 2 1 1 "
+                      "offset 2 2 2 shift 0 0 0"},
+                 {"Replicate must come after the first run"}},
+        BadInput{"ReplicateWithSpringSelf",
+                 {"", "fix home all spring/self 10.0\nreplicate 2 1 1 offset 2 2 2 shift 0 0 0"},
+                 {"Replicate", "fix spring/self (id home)", "after replicate"}},
         BadInput{"NoRods",
                  {"", "delete_atoms group all"},
                  {"Atom style spherocylinder", "no rod"}},
