@@ -27,6 +27,7 @@
 #include "styles/fix_buoyancy_spherocylinder.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_contact_history_spherocylinder.h"
+#include "styles/fix_external_spherocylinder.h"
 #include "styles/fix_freeze_spherocylinder.h"
 #include "styles/fix_heat_gran_spherocylinder.h"
 #include "styles/fix_insert_spherocylinder.h"
@@ -146,6 +147,7 @@ void add_styles(LAMMPS *lmp)
 #undef FIX_CLASS
   fixes["buoyancy"] = &create_fix_for<FixBuoyancySpherocylinder, FixBuoyancy>;
   fixes["contacthistory"] = &create_fix_for<FixContactHistorySpherocylinder, FixContactHistory>;
+  fixes["external"] = &create_fix_for<FixExternalSpherocylinder, FixExternal>;
   fixes["freeze"] = &create_fix_for<FixFreezeSpherocylinder, FixFreeze>;
   fixes["move"] = &create_fix_for<FixMoveSpherocylinder, FixMove>;
   fixes["wall/gran"] = &create_fix_for<FixWallGranSpherocylinder, FixWallGran>;

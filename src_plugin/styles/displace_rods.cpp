@@ -9,6 +9,7 @@
 #include "comm.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
+#include "domain.h"
 #include "fix.h"
 #include "fix_contact_history_spherocylinder.h"
 #include "fix_wall_gran_spherocylinder.h"
@@ -38,6 +39,29 @@ void DisplaceRods::command(int narg, char **arg)
     if (strcmp(arg[1], "rotate") == 0 && narg >= 9) turn_rods(group->bitmask[igroup], arg);
   }
   DisplaceAtoms::command(narg, arg);
+  check_nothing_left();
+}
+
+// Beyond a fixed face a rod would be gone at the next run's start, without a word whatever
+// `thermo_modify lost` says.
+void DisplaceRods::check_nothing_left()
+{
+  int outside = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 3; d++) {
+      const double x = atom->x[i][d];
+      if ((domain->boundary[d][0] == 1 && x < domain->boxlo[d]) ||
+          (domain->boundary[d][1] == 1 && x >= domain->boxhi[d])) {
+        outside++;
+        break;
+      }
+    }
+  MPI_Allreduce(&outside, &all, 1, MPI_INT, MPI_SUM, world);
+  if (all > 0)
+    rod_error_all(lmp,
+                  "Displace_atoms: %d rods are outside the box now and would be lost (delete them "
+                  "first, or make the box larger by change_box)",
+                  all);
 }
 
 void DisplaceRods::check_nothing_drives(int groupbit, const char *group_name)

@@ -18,6 +18,7 @@ class DisplaceRods : protected DisplaceAtoms {
 
  private:
   void check_nothing_drives(int groupbit, const char *group_name);
+  void check_nothing_left();
   void turn_rods(int groupbit, char **arg);
   void turn_springs(int groupbit, const spherocylinder::Quaternion &rotation);
 };

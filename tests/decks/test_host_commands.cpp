@@ -222,4 +222,44 @@ TEST(HostCommands, BuoyancyMindsItsRegion)
   EXPECT_NEAR(atoms.at(1, "fz"), -2700.0 * 9.81 * volume, 1e-12);
 }
 
+// Nobody has given forces: rods fly on, those that come to another rank too.
+TEST(FixExternal, GivesNoForceUntilItIsToldTo)
+{
+  std::vector<Rod> rods;
+  for (int k = 0; k < 500; k++) {
+    Rod rod;
+    rod.length = 0.02;
+    rod.position = {-0.9 + 0.09 * (k % 20), -0.9 + 0.07 * (k / 20), 0.0};
+    rod.velocity = {(k / 20) % 2 ? 30.0 : -30.0, 0.0, 1.0};
+    rods.push_back(rod);
+  }
+  const Scene scene = scene_of(
+      rods, std::string(kMotion) + "fix outside all external pf/array 1\n");
+  for (const Mode mode : {Mode::OneRank, Mode::TwoRanks}) {
+    const Frame last = run(scene, mode).back();
+    for (size_t k = 0; k < rods.size(); k++)
+      ASSERT_EQ(norm(last.rods[k].velocity - rods[k].velocity), 0.0) << "rod " << k + 1;
+  }
+}
+
+// Only the displacement is to blame: the same deck without it keeps its rods.
+TEST(DisplaceAtomsOut, OfAFixedBoxIsRefused)
+{
+  for (const char *boundary : {"f f f", "p f f", "f m f"}) {
+    Scene scene = scene_of(raft(), "");
+    scene.boundary = boundary;
+    for (const double way : {0.3, 0.99}) {
+      const DeckFolder folder;
+      folder.write("rods.data", data_file(scene));
+      folder.write("in.out", preamble(scene) + "read_data rods.data\n" + scene.physics + kMotion +
+                                 "displace_atoms all move 0 0 " + std::to_string(way * 2.0) +
+                                 " units box\nrun 1\n");
+      const Outcome outcome = folder.run("in.out");
+      const bool refused = outcome.output.find("9 rods are outside the box now") != std::string::npos;
+      EXPECT_EQ(outcome.exit_code != 0, way > 0.5) << outcome.output;
+      EXPECT_EQ(refused, way > 0.5);
+    }
+  }
+}
+
 }  // namespace

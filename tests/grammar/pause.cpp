@@ -62,6 +62,8 @@ void Pause::choose()
 void Pause::restart()
 {
   if (!draft_.can_restart) return;
+  // An insertion command given again fills its region up again.
+  if (draft_.effects.inserting) draft_.plan.most_rods = 100000;
   add("write_restart half\nclear\n" + header(draft_, "read_restart half\n"));
 }
 
