@@ -112,7 +112,7 @@ void check_energy(const Plan &plan, const Run &run, const State &from, const Sta
   const std::vector<Touch> first = all_touches(plan, from), last = all_touches(plan, to);
   if (!m.cohesion.empty() || std::max(largest_overlap(first), largest_overlap(last)) > 0.4) return;
   const double before = spring_energy(first, from, m), after = spring_energy(last, to, m);
-  if (before < 0.0) return;
+  if (before < 0.0 || after < 0.0) return;
   double work = 0.0, scale = 0.0;
   for (const auto &[id, rod] : from.rods) {
     const double along = dot(rod.mass * run.effects.gravity, way_of(rod, to.rods.at(id), to.box));
