@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -36,63 +35,20 @@ namespace {
 // it is averaged down: ambient occlusion does not go with the driver's own smoothing.
 constexpr int oversampling = 2;
 
-struct ViewFrame {
-  Vec3 right, up, towards;  // unit, orthogonal; `towards` the viewer
-};
-
-ViewFrame frame_of(View view)
+Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options)
 {
-  if (view == View::side) return {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-  if (view == View::top) return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const double turn = 0.44, lift = 0.44;  // rad, 25 degrees
-  const Vec3 right{std::cos(turn), std::sin(turn), 0.0};
-  const Vec3 front{std::sin(turn), -std::cos(turn), 0.0};
-  const Vec3 towards = std::cos(lift) * front + std::sin(lift) * Vec3{0, 0, 1};
-  return {right, cross(towards, right), towards};
-}
-
-// Bounding box of what is to be seen, along the picture's own directions.
-struct Extent {
-  double low[3], high[3];  // right, up, towards
-
-  Extent()
-  {
-    std::fill(low, low + 3, std::numeric_limits<double>::infinity());
-    std::fill(high, high + 3, -std::numeric_limits<double>::infinity());
-  }
-
-  void include(const ViewFrame &frame, const Vec3 &point, double radius)
-  {
-    const double along[3] = {dot(point, frame.right), dot(point, frame.up),
-                             dot(point, frame.towards)};
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], along[i] - radius);
-      high[i] = std::max(high[i], along[i] + radius);
-    }
-  }
-
-  double size(int i) const { return high[i] - low[i]; }
-  double middle(int i) const { return 0.5 * (low[i] + high[i]); }
-};
-
-Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options,
-                 const ViewFrame &frame)
-{
-  Extent extent;
-  if (!options.only_vessel)
-    for (const Rod &rod : rods)
-      for (const double side : {-1.0, 1.0})
-        extent.include(frame, rod.capsule.segment.at(side * rod.capsule.segment.half_length),
-                       rod.capsule.radius);
+  Extent extent(options.view);
+  if (options.aim_at_rods) extent.include(rods);
+  if (options.seen) extent.include(*options.seen);
   if (options.box)
-    for (const double x : (*options.box)[0])
-      for (const double y : (*options.box)[1])
-        for (const double z : (*options.box)[2]) extent.include(frame, {x, y, z}, 0.0);
+    for (const Vec3 &corner : corners_of(*options.box)) extent.include(corner);
   if (!options.vessel) return extent;
-  for (const double z : {options.vessel->z_low, options.vessel->z_high}) {
-    const auto ring = vessel_ring(*options.vessel, z);
+  const UprightCylinder &vessel = options.vessel->cylinder;
+  for (const double z : {vessel.z_low, vessel.z_high}) {
+    const auto ring = vessel_ring(vessel, z);
+    turn_to_space(ring, options.vessel->axis);
     for (vtkIdType i = 0; i < ring->GetNumberOfPoints(); ++i)
-      extent.include(frame, load(ring->GetPoint(i)), 0.0);
+      extent.include(load(ring->GetPoint(i)));
   }
   return extent;
 }
@@ -148,35 +104,50 @@ void add_box(vtkRenderer *renderer, const Box &box, const Ink &ink)
   add_line(renderer, edges->GetOutput(), ink);
 }
 
-// The half of the wall behind the rods, the floor, the two rings (the upper one dashed if the
-// vessel goes on above it) and the outline's two uprights.
-void add_vessel(vtkRenderer *renderer, const UprightCylinder &vessel, bool goes_on,
-                const ViewFrame &frame, const Ink &ink)
+// The half of the wall behind the rods, the end away from the viewer, the two rings (dashed where
+// the vessel goes on beyond them) and the outline's two lines along the axis.
+void add_vessel(vtkRenderer *renderer, const DrawnVessel &drawn, const ViewFrame &frame,
+                const Ink &ink)
 {
-  const bool from_above = frame.towards.z == 1.0;
+  const UprightCylinder &vessel = drawn.cylinder;
+  const Vec3 towards = to_vessel(frame.towards, drawn.axis);
+  const double across = std::hypot(towards.x, towards.y);
+  const bool end_on = across < 1e-9;
   WallArc back;
-  if (!from_above) {
-    back.begin = std::atan2(frame.towards.y, frame.towards.x) + 0.5 * pi;
+  if (!end_on) {
+    back.begin = std::atan2(towards.y, towards.x) + 0.5 * pi;
     back.span = pi;
   }
-  for (const auto &[mesh, opacity] :
-       {std::pair{vessel_wall(vessel, back), 0.18}, std::pair{vessel_floor(vessel), 0.35}}) {
+  const auto add_pane = [&](vtkPolyData *mesh, double opacity) {
+    turn_to_space(mesh, drawn.axis);
     const auto actor = add_surface(renderer, mesh);
     actor->GetProperty()->SetColor(0.55, 0.63, 0.72);
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetOpacity(opacity);
+  };
+  const auto add_edge = [&](vtkPolyData *line) {
+    turn_to_space(line, drawn.axis);
+    add_line(renderer, line, ink);
+  };
+  add_pane(vessel_wall(vessel, back), 0.18);
+  const bool low_is_far = towards.z >= 0.0;
+  if (!(low_is_far ? drawn.goes_on_below : drawn.goes_on_above)) {
+    UprightCylinder far_end = vessel;
+    if (!low_is_far) far_end.z_low = vessel.z_high;
+    add_pane(vessel_floor(far_end), 0.35);
   }
-  const double top = vessel.z_high;
-  add_line(renderer, vessel_ring(vessel, vessel.z_low), ink);
-  add_line(renderer, goes_on ? dashed_vessel_ring(vessel, top) : vessel_ring(vessel, top), ink);
-  if (from_above) return;
+  for (const auto &[z, goes_on] : {std::pair{vessel.z_low, drawn.goes_on_below},
+                                   std::pair{vessel.z_high, drawn.goes_on_above}})
+    add_edge(goes_on ? dashed_vessel_ring(vessel, z) : vessel_ring(vessel, z));
+  if (end_on) return;
   for (const double side : {-vessel.radius, vessel.radius}) {
-    const Vec3 foot = Vec3{vessel.x, vessel.y, 0.0} + side * frame.right;
-    vtkNew<vtkLineSource> upright;
-    upright->SetPoint1(foot.x, foot.y, vessel.z_low);
-    upright->SetPoint2(foot.x, foot.y, vessel.z_high);
-    upright->Update();
-    add_line(renderer, upright->GetOutput(), ink);
+    const double x = vessel.x - side * towards.y / across;
+    const double y = vessel.y + side * towards.x / across;
+    vtkNew<vtkLineSource> line;
+    line->SetPoint1(x, y, vessel.z_low);
+    line->SetPoint2(x, y, vessel.z_high);
+    line->Update();
+    add_edge(line->GetOutput());
   }
 }
 
@@ -264,7 +235,12 @@ void add_annotation(vtkRenderer *renderer, const PictureOptions &options,
 
 }  // namespace
 
-Vec3 towards_viewer(View view) { return frame_of(view).towards; }
+std::array<Vec3, 8> corners_of(const Box &box)
+{
+  std::array<Vec3, 8> corners;
+  for (int i = 0; i < 8; ++i) corners[i] = {box[0][i & 1], box[1][(i >> 1) & 1], box[2][i >> 2]};
+  return corners;
+}
 
 void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
                        const RodQuantity &colour, const PictureOptions &options)
@@ -273,7 +249,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   const PictureWords words = words_of(options, colour, range);
   const PictureLayout layout = lay_out(options.width, options.height, options.font_size, words);
   const ViewFrame frame = frame_of(options.view);
-  const Extent extent = extent_of(rods, options, frame);
+  const Extent extent = extent_of(rods, options);
   const Ink ink = ink_for(options.background, oversampling * layout.font_size);
   const auto colours = viridis(range.low, range.high);
 
@@ -281,8 +257,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(options.background[0], options.background[1], options.background[2]);
   add_rods(renderer, rods, colour, colours, options.resolution);
-  if (options.vessel)
-    add_vessel(renderer, *options.vessel, options.vessel_goes_on, frame, ink);
+  if (options.vessel) add_vessel(renderer, *options.vessel, frame, ink);
   if (options.box) add_box(renderer, *options.box, ink);
   add_lights(renderer);
 

@@ -10,38 +10,39 @@
 #include "analysis/clipped_volume.h"
 #include "analysis/rod_quantity.h"
 #include "analysis/rods.h"
+#include "pictures/view.h"
 
 namespace spherocylinder {
 
-enum class View {
-  side,     // along +y, level
-  top,      // straight down, x to the right
-  oblique,  // from the front right, 25 degrees above the horizontal
-};
-
 using Box = std::array<std::array<double, 2>, 3>;  // lower and upper bound in x, y, z (m)
+
+struct DrawnVessel {
+  UprightCylinder cylinder;  // as much as is to be drawn, in the vessel's own frame
+  int axis = 2;              // x, y or z of space along which that frame's z runs
+  bool goes_on_below = false, goes_on_above = false;  // beyond the ends of what is drawn
+};
 
 struct PictureOptions {
   int width = 1200, height = 900;  // pixels
   View view = View::oblique;
   double background[3] = {1.0, 1.0, 1.0};
-  std::optional<UprightCylinder> vessel;  // as much of it as is to be drawn
-  bool vessel_goes_on = false;  // above what is drawn
-  bool only_vessel = false;     // the picture is aimed at the vessel, wherever the rods are
-  std::optional<Box> box;       // its edges are drawn
+  std::optional<DrawnVessel> vessel;
+  std::optional<Box> box;      // its edges are drawn
+  std::optional<Extent> seen;  // the picture is aimed at this too
+  bool aim_at_rods = true;     // else at vessel, box and what is seen, wherever the rods are
   std::string caption;
   int font_size = 0;  // pixels; 0: as large as fits
   bool colour_bar = true;
   int resolution = 16;  // corners around a rod
 };
 
-// Unit vector from what is seen towards the viewer.
-Vec3 towards_viewer(View view);
+// The corners of the box.
+std::array<Vec3, 8> corners_of(const Box &box);
 
 // Parallel projection, so that the scale bar holds everywhere; the part in front of the rods is
-// cut off the vessel's wall. There may be no rods if the picture is aimed at the vessel. Writes a
-// PNG. Throws InputError if the letters leave no room, if the graphics driver cannot draw so large
-// a picture, or if the file cannot be written.
+// cut off the vessel's wall. There may be no rods if the picture is aimed at something else. Writes
+// a PNG. Throws InputError if the letters leave no room, if the graphics driver cannot draw so
+// large a picture, or if the file cannot be written.
 void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
                        const RodQuantity &colour, const PictureOptions &options);
 

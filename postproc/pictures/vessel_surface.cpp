@@ -85,4 +85,29 @@ vtkSmartPointer<vtkPolyData> dashed_vessel_ring(const UprightCylinder &vessel, d
   return data;
 }
 
+Vec3 to_vessel(const Vec3 &space, int axis)
+{
+  const double p[] = {space.x, space.y, space.z};
+  return {p[(axis + 1) % 3], p[(axis + 2) % 3], p[axis]};
+}
+
+Vec3 to_space(const Vec3 &vessel, int axis)
+{
+  double p[3];
+  p[(axis + 1) % 3] = vessel.x;
+  p[(axis + 2) % 3] = vessel.y;
+  p[axis] = vessel.z;
+  return {p[0], p[1], p[2]};
+}
+
+void turn_to_space(vtkPolyData *mesh, int axis)
+{
+  vtkPoints *points = mesh->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+    const double *p = points->GetPoint(i);
+    const Vec3 turned = to_space({p[0], p[1], p[2]}, axis);
+    points->SetPoint(i, turned.x, turned.y, turned.z);
+  }
+}
+
 }  // namespace spherocylinder

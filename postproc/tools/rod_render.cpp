@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // rod_render: pictures of a bed of rods, and films. docs/rod_render.md
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -13,17 +11,16 @@
 #include <vtkNamedColors.h>
 #include <vtkNew.h>
 
-#include "analysis/beds.h"
 #include "analysis/command_line.h"
 #include "analysis/frame_choice.h"
 #include "analysis/input_error.h"
 #include "analysis/output_file.h"
-#include "analysis/packing_measures.h"
 #include "analysis/text.h"
 #include "pictures/bed_picture.h"
 #include "pictures/display.h"
 #include "pictures/film.h"
 #include "pictures/font.h"
+#include "pictures/shown_part.h"
 
 using namespace spherocylinder;
 
@@ -33,9 +30,8 @@ struct Options {
   InputOptions input;
   std::string out;
   std::string size = "1200x900";
-  VesselOptions vessel;
-  std::optional<double> vessel_height, top, timestep;
-  bool cut = false;
+  PartOptions part;
+  std::optional<double> timestep;
   std::string film;
   double rate = 10.0;
   std::string colour = "elevation";
@@ -109,92 +105,8 @@ std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std
   return caption + fmt::format("step {}", frame.step);
 }
 
-// Up to --top, or only the part of the vessel that holds rods, and a little more.
-void set_vessel(PictureOptions &picture, const Vessel &vessel, const std::vector<Rod> &rods,
-                const Options &options)
+void check(const Options &options, bool several)
 {
-  const double bed = bed_height(rods).highest_point - vessel.floor;
-  const double part = options.top ? *options.top - vessel.floor
-                                  : 1.1 * std::max(bed, 0.25 * vessel.radius);
-  const double whole = options.vessel_height.value_or(std::numeric_limits<double>::infinity());
-  picture.vessel_goes_on = part < whole;
-  picture.vessel = vessel_up_to(vessel, vessel.floor + std::min(part, whole));
-}
-
-bool is_above_top(const Rod &rod, const Options &options)
-{
-  return options.top && highest_point(rod.capsule) > *options.top;
-}
-
-bool is_cut_off(const Rod &rod, const std::optional<Vessel> &vessel, const Options &options)
-{
-  if (!options.cut) return false;
-  const Vec3 &centre = rod.capsule.segment.centre;
-  const Vec3 from_axis{centre.x - vessel->x, centre.y - vessel->y, 0.0};
-  return dot(from_axis, towards_viewer(view_of(options.view))) > 0.0;
-}
-
-// The rods that are shown, and their numbers. Throws InputError if the vessel does not hold them.
-std::vector<Rod> shown_part(const DumpFrame &frame, const std::vector<Rod> &rods,
-                            RodQuantity &colour, const std::optional<Vessel> &vessel,
-                            const Options &options)
-{
-  Bed below_top{frame, {}, 0};
-  std::vector<Rod> part;
-  std::vector<double> values;
-  for (std::size_t i = 0; i < rods.size(); ++i) {
-    if (is_above_top(rods[i], options)) continue;
-    below_top.rods.push_back(rods[i]);
-    if (is_cut_off(rods[i], vessel, options)) continue;
-    part.push_back(rods[i]);
-    values.push_back(colour.values[i]);
-  }
-  if (vessel) need_rods_inside(below_top, *vessel);
-  colour.values = std::move(values);
-  return part;
-}
-
-// The dump's box in the directions in which it is periodic; in the others, what holds the rods.
-// Nothing for a box that is not periodic or is tilted: the bounds of that are not its edges.
-std::optional<Box> periodic_box(const DumpFrame &frame, const std::vector<Rod> &rods)
-{
-  const auto &periodic = frame.periodic;
-  if (frame.box_is_tilted || std::find(periodic.begin(), periodic.end(), true) == periodic.end())
-    return std::nullopt;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box box = frame.box;
-  for (int i = 0; i < 3; ++i)
-    if (!periodic[i]) box[i] = {infinity, -infinity};
-  for (const Rod &rod : rods) {
-    const Segment &s = rod.capsule.segment;
-    const double centre[] = {s.centre.x, s.centre.y, s.centre.z};
-    const double axis[] = {s.axis.x, s.axis.y, s.axis.z};
-    for (int i = 0; i < 3; ++i) {
-      if (periodic[i]) continue;
-      const double reach = std::abs(axis[i]) * s.half_length + rod.capsule.radius;
-      box[i][0] = std::min(box[i][0], centre[i] - reach);
-      box[i][1] = std::max(box[i][1], centre[i] + reach);
-    }
-  }
-  return box;
-}
-
-void check(const Options &options, const std::optional<Vessel> &vessel, bool several)
-{
-  if (options.vessel_height && !vessel)
-    throw InputError("--vessel-height: wanted with --vessel-radius only");
-  if (options.top && !vessel)
-    throw InputError("--top: needs --vessel-radius, the width of what is shown");
-  if (options.top && *options.top <= vessel->floor)
-    throw InputError(fmt::format("--top: must be above the floor {} (got {})", vessel->floor,
-                                 *options.top));
-  if (options.cut && !vessel)
-    throw InputError("--cut: needs --vessel-radius and cuts through the vessel's axis");
-  if (options.cut && options.view == "top")
-    throw InputError("--cut: needs a view from the side or oblique (got 'top')");
-  if (several && !(vessel && options.top))
-    throw InputError(
-        "--frame all: needs --vessel-radius and --top, so that all pictures show the same part");
   const bool fixed_range = !options.range.empty() || options.colour == "elevation";
   if (several && (!fixed_range || options.auto_range))
     throw InputError(fmt::format(
@@ -217,6 +129,78 @@ std::string numbered(const std::string &path, std::size_t number)
   return name;
 }
 
+// Draws one frame. `part` has looked at it.
+void draw(const DumpFrame &frame, const std::vector<Rod> &rods, const ShownPart &part,
+          const std::string &path, const Options &options, PictureOptions picture, char **argv)
+{
+  RodQuantity colour = rod_quantity(frame, rods, options.colour);
+  if (!options.range.empty()) {
+    colour.low = options.range[0];
+    colour.high = options.range[1];
+  }
+  std::vector<Rod> shown;
+  std::vector<double> values;
+  for (const std::size_t i : part.rods_shown(rods)) {
+    shown.push_back(rods[i]);
+    values.push_back(colour.values[i]);
+  }
+  colour.values = std::move(values);
+  if (options.auto_range) set_range_of_most(colour);
+  if (shown.empty() && !part.may_be_empty())
+    throw InputError(fmt::format("{}: step {}: {} leaves none of its {} rods", frame.path,
+                                 frame.step, part.left_out_by(), rods.size()));
+  picture.caption = caption_of(frame, rods, shown.size(), options.timestep);
+  part.set(picture, frame);
+  OutputFile{path};  // can it be written?
+  need_display(argv);  // may start the program again: all is said, no file is open
+  OutputFile output(path);
+  write_bed_picture(output.working_path(), shown, colour, picture);
+  output.finish();
+}
+
+// One picture of the frame chosen.
+void draw_one(const Options &options, const FrameChoice &choice, const PictureOptions &picture,
+              char **argv)
+{
+  ShownPart part(options.part, picture.view, false);
+  for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
+    const std::vector<Rod> rods = rods_of(frame);
+    if (rods.empty())
+      throw InputError(
+          fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
+    part.look_at(frame, rods);
+    draw(frame, rods, part, options.out, options, picture, argv);
+  });
+}
+
+// A picture of each frame with rods: all are read beforehand, so that all show the same part.
+void draw_all(const Options &options, const FrameChoice &choice, const PictureOptions &picture,
+              char **argv)
+{
+  ShownPart part(options.part, picture.view, true);
+  bool any = false;
+  for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
+    const std::vector<Rod> rods = rods_of(frame);
+    any = any || !rods.empty();
+    part.look_at(frame, rods);
+  });
+  if (!any)
+    throw InputError(fmt::format("{}: no step holds any rods, wanted at least one",
+                                 options.input.dump));
+  if (!part.may_be_empty())
+    throw InputError(fmt::format("{}: {} leaves no rods of any step", options.input.dump,
+                                 part.left_out_by()));
+  std::size_t pictures = 0;
+  for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
+    const std::vector<Rod> rods = rods_of(frame);
+    if (rods.empty()) return;
+    const std::string path = numbered(options.out, ++pictures);
+    draw(frame, rods, part, path, options, picture, argv);
+    fmt::print("{}\n", path);
+  });
+  if (!options.film.empty()) write_film(options.film, options.out, options.rate);
+}
+
 void run(const Options &options, char **argv)
 {
   PictureOptions picture;
@@ -226,45 +210,11 @@ void run(const Options &options, char **argv)
   picture.resolution = options.resolution;
   picture.font_size = options.font_size;
   picture.colour_bar = !options.no_bar;
-  picture.only_vessel = options.top.has_value();
   const FrameChoice choice = parse_frame_choice(options.input.frame);
   const bool several = choice.kind == FrameChoice::Kind::all;
-  const std::optional<Vessel> vessel = options.vessel.walled_vessel();
-  check(options, vessel, several);
+  check(options, several);
   need_font();
-
-  std::size_t pictures = 0;
-  for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
-    const std::vector<Rod> rods = rods_of(frame);
-    if (rods.empty() && several) return;
-    if (rods.empty())
-      throw InputError(
-          fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
-    RodQuantity colour = rod_quantity(frame, rods, options.colour);
-    if (!options.range.empty()) {
-      colour.low = options.range[0];
-      colour.high = options.range[1];
-    }
-    const std::vector<Rod> part = shown_part(frame, rods, colour, vessel, options);
-    if (options.auto_range) set_range_of_most(colour);
-    if (part.empty() && !options.top)
-      throw InputError(fmt::format("{}: step {}: --cut leaves none of its {} rods", frame.path,
-                                   frame.step, rods.size()));
-    picture.caption = caption_of(frame, rods, part.size(), options.timestep);
-    if (vessel) set_vessel(picture, *vessel, rods, options);
-    if (!vessel) picture.box = periodic_box(frame, rods);
-    const std::string path = several ? numbered(options.out, ++pictures) : options.out;
-    OutputFile{path};  // can it be written?
-    need_display(argv);  // may start the program again: all is said, no file is open
-    OutputFile output(path);
-    write_bed_picture(output.working_path(), part, colour, picture);
-    output.finish();
-    if (several) fmt::print("{}\n", path);
-  });
-  if (several && pictures == 0)
-    throw InputError(fmt::format("{}: no step holds any rods, wanted at least one",
-                                 options.input.dump));
-  if (!options.film.empty()) write_film(options.film, options.out, options.rate);
+  (several ? draw_all : draw_one)(options, choice, picture, argv);
 }
 
 }  // namespace
@@ -277,8 +227,8 @@ int main(int argc, char **argv)
       "Example: rod_render bed.dump --out bed.png --vessel-radius 0.305 --view side\n"
       "         rod_render pour.dump.gz --out speed.png --colour speed --range 0 0.1\n"
       "         rod_render bed.dump --out inside.png --vessel-radius 0.305 --cut\n"
-      "         rod_render pour.dump --frame all --out pour.png --film pour.mp4 "
-      "--vessel-radius 0.305 --top 0.6");
+      "         rod_render pour.dump --frame all --out pour.png --film pour.mp4\n"
+      "         rod_render drum.dump --out drum.png --vessel-radius 0.2 --vessel-axis y");
   add_input_options(app, options.input);
   app.add_option("--out", options.out,
                  "PNG file to write; with --frame all NAME_0001.png and so on")
@@ -295,16 +245,26 @@ int main(int argc, char **argv)
       ->expected(2)
       ->check(finite_number());
   app.add_flag("--auto-range", options.auto_range,
-               "ends of the colour map that leave out the lowest and the highest tenth of the values shown")
+               "ends of the colour map that leave out the lowest and the highest tenth of the "
+               "values shown")
       ->excludes("--range");
-  add_vessel_options(app, options.vessel);
-  app.add_option("--vessel-height", options.vessel_height,
-                 "height of the vessel (m); only the part with rods in it is drawn")
+  add_vessel_options(app, options.part.vessel);
+  add_vessel_axis_option(app, options.part.vessel_axis);
+  app.add_option("--vessel-height", options.part.vessel_height,
+                 "height of the vessel (m), or its length along another axis; of an upright one "
+                 "only the part with rods in it is drawn")
       ->check(positive_number());
-  app.add_option("--top", options.top,
-                 "show the vessel from its floor up to this height Z (m) and the rods below it")
+  app.add_option("--box", options.part.box,
+                 "XLO XHI YLO YHI ZLO ZHI: show this box (m) and the rods centred in it")
+      ->expected(6)
       ->check(finite_number());
-  app.add_flag("--cut", options.cut, "leave out the rods in front of the vessel's axis");
+  app.add_option("--top", options.part.top,
+                 "leave out rods that reach above this height Z (m); an upright vessel is shown up "
+                 "to it")
+      ->check(finite_number());
+  app.add_flag("--cut", options.part.cut,
+               "leave out the rods in front of the vessel's axis, or of the middle of what is "
+               "shown");
   app.add_option("--film", options.film,
                  "with --frame all: also join the pictures to this .mp4 or .webm (needs ffmpeg)")
       ->check(film_name());

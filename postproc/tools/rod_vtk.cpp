@@ -13,6 +13,7 @@
 #include "pictures/ovito_file.h"
 #include "pictures/rod_data.h"
 #include "pictures/rod_surface.h"
+#include "pictures/shown_part.h"
 #include "pictures/time_series.h"
 #include "pictures/vessel_surface.h"
 
@@ -26,6 +27,7 @@ struct Options {
   std::string geometry = "capsules";
   int resolution = 12;
   VesselOptions vessel;
+  std::optional<std::string> vessel_axis;
   std::optional<double> vessel_height, timestep;
   bool ovito = false;
 };
@@ -37,17 +39,22 @@ double time_of(const DumpFrame &frame, const Options &options)
 }
 
 // The wall and the floor, each in a file of its own; returns their names.
-std::vector<std::string> write_vessel(const UprightCylinder &vessel, const std::string &out)
+std::vector<std::string> write_vessel(const UprightCylinder &vessel, int axis,
+                                      const std::string &out)
 {
   const std::vector<std::string> files{out + "_vessel.vtp", out + "_floor.vtp"};
-  write_poly_data(files[0], vessel_wall(vessel));
-  write_poly_data(files[1], vessel_floor(vessel));
+  const vtkSmartPointer<vtkPolyData> meshes[] = {vessel_wall(vessel), vessel_floor(vessel)};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    turn_to_space(meshes[i], axis);
+    write_poly_data(files[i], meshes[i]);
+  }
   return files;
 }
 
 void run(const Options &options)
 {
-  const std::optional<Vessel> walls = options.vessel.walled_vessel();
+  const int axis = vessel_axis_of(options.vessel_axis, options.vessel);
+  const std::optional<Vessel> walls = vessel_about(axis, options.vessel);
   if (walls.has_value() != options.vessel_height.has_value())
     throw InputError("--vessel-radius, --vessel-height: must be given together (got one of them)");
   const FrameChoice choice = parse_frame_choice(options.input.frame);
@@ -71,7 +78,7 @@ void run(const Options &options)
           fmt::format("{}: step {} appears twice, wanted each step once", frame.path, frame.step));
     if (++frames == 1 && walls)
       vessel = write_vessel(vessel_up_to(*walls, walls->floor + *options.vessel_height),
-                            options.out);
+                            axis, options.out);
     write_poly_data(file, geometry.mesh);
     series.add(time, file);
     for (std::size_t i = 0; i < vessel.size(); ++i)
@@ -108,8 +115,10 @@ int main(int argc, char **argv)
                  "seconds a step, so that the series has times, not steps")
       ->check(positive_number());
   add_vessel_options(app, options.vessel);
+  add_vessel_axis_option(app, options.vessel_axis);
   app.add_option("--vessel-height", options.vessel_height,
-                 "with --vessel-radius: also write the wall up to this height (m), "
+                 "with --vessel-radius: also write the wall of this height (m), or length along "
+                 "another axis, "
                  "PREFIX_vessel.vtp, and PREFIX_floor.vtp")
       ->check(positive_number());
   return run_tool(app, argc, argv, [&] { run(options); });

@@ -18,6 +18,7 @@
 #include "pictures/font.h"
 #include "pictures/picture_layout.h"
 #include "pictures/rod_surface.h"
+#include "pictures/shown_part.h"
 #include "pictures/vessel_surface.h"
 #include "test_bed.h"
 
@@ -96,6 +97,160 @@ TEST(VesselSurface, LiesOnTheCylinder)
       const Vec3 p = load(mesh->GetPoint(i));
       EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 3.0, 1e-6);
     }
+}
+
+// A vessel along y about x = 1, z = 2, from y = 3 to 4; turned there and back nothing is lost.
+TEST(VesselSurface, LiesAlongAnAxis)
+{
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 p = to_vessel(to_space({1, 2, 3}, axis), axis);
+    EXPECT_EQ(p.x, 1);
+    EXPECT_EQ(p.y, 2);
+    EXPECT_EQ(p.z, 3);
+  }
+  VesselOptions options;
+  options.radius = 0.5;
+  options.centre = {1.0, 2.0};
+  options.floor = 3.0;
+  const auto wall = vessel_wall(vessel_up_to(*vessel_about(1, options), 4.0));
+  turn_to_space(wall, 1);
+  double low = 9.0, high = -9.0;
+  for (vtkIdType i = 0; i < wall->GetNumberOfPoints(); ++i) {
+    const Vec3 p = load(wall->GetPoint(i));
+    EXPECT_NEAR(std::hypot(p.x - 1, p.z - 2), 0.5, 1e-6);
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
+  EXPECT_EQ(low, 3.0);
+  EXPECT_EQ(high, 4.0);
+}
+
+// A rod of total length 2 (h + 0.1) along x.
+Rod rod_along_x(const Vec3 &centre, double h) { return {1, 1, {{centre, {1, 0, 0}, h}, 0.1}}; }
+
+// The pictures of a film see what the rods of all frames reach: from the side x from -0.5 to 3.5
+// and z from -0.1 to 2.1; the half in front of y = 1 is cut off, which lies between y = 0 and 2.
+TEST(ShownPart, OfAFilmIsWhatAllRodsReach)
+{
+  DumpFrame frame;
+  const std::vector<Rod> first{rod_along_x({0, 0, 0}, 0.4)};
+  const std::vector<Rod> second{rod_along_x({3, 2, 2}, 0.4), rod_along_x({1, 0.9, 1}, 0.4)};
+  PartOptions options;
+  options.cut = true;
+  ShownPart part(options, View::side, true);
+  EXPECT_FALSE(part.may_be_empty());
+  part.look_at(frame, first);
+  part.look_at(frame, second);
+  EXPECT_TRUE(part.may_be_empty());
+  EXPECT_TRUE(part.rods_shown(first).empty());
+  EXPECT_EQ(part.rods_shown(second), std::vector<std::size_t>{0});
+  PictureOptions picture;
+  part.set(picture, frame);
+  EXPECT_FALSE(picture.aim_at_rods);
+  EXPECT_FALSE(picture.box);
+  EXPECT_FALSE(picture.vessel);
+  EXPECT_NEAR(picture.seen->size(0), 4.0, 1e-12);
+  EXPECT_NEAR(picture.seen->middle(0), 1.5, 1e-12);
+  EXPECT_NEAR(picture.seen->size(1), 2.2, 1e-12);
+  EXPECT_NEAR(picture.seen->middle(1), 1.0, 1e-12);
+  EXPECT_NEAR(picture.seen->size(2), 2.2, 1e-12);
+}
+
+// A box that is periodic in x and becomes longer: its edges are those of the frame at hand in x, of
+// all rods in y and z; all pictures have room for the longest.
+TEST(ShownPart, OfAFilmHoldsAllPeriodicBoxes)
+{
+  DumpFrame shorter, longer;
+  shorter.periodic = longer.periodic = {true, false, false};
+  shorter.box = {{{-1, 1}, {-9, 9}, {-9, 9}}};
+  longer.box = {{{-2, 2}, {-9, 9}, {-9, 9}}};
+  const std::vector<Rod> rods{rod_along_x({0, 3, 0}, 0.4)}, later{rod_along_x({0, 5, 0}, 0.4)};
+  ShownPart part({}, View::top, true);
+  part.look_at(longer, rods);
+  part.look_at(shorter, later);
+  PictureOptions picture;
+  part.set(picture, shorter);
+  EXPECT_EQ((*picture.box)[0], (std::array{-1.0, 1.0}));
+  EXPECT_NEAR((*picture.box)[1][0], 2.9, 1e-12);
+  EXPECT_NEAR((*picture.box)[1][1], 5.1, 1e-12);
+  EXPECT_NEAR(picture.seen->size(0), 4.0, 1e-12);
+  EXPECT_NEAR(picture.seen->size(1), 2.2, 1e-12);
+}
+
+// --box and --top leave rods out by their centre and by their highest point; a cut goes through the
+// box's middle, y = 0.5, wherever the rods are.
+TEST(ShownPart, BoxAndTopLeaveRodsOut)
+{
+  PartOptions options;
+  options.box = {-1, 1, -1, 2, 0, 1};
+  options.top = 0.9;
+  options.cut = true;
+  ShownPart part(options, View::oblique, false);
+  const std::vector<Rod> rods{rod_along_x({0.9, 1.9, 0.5}, 0.4), rod_along_x({1.1, 1.9, 0.5}, 0.4),
+                              rod_along_x({0, 0.4, 0.5}, 0.4), rod_along_x({0, 0.6, 0.85}, 0.4),
+                              rod_along_x({0, 0.6, 0.75}, 0.4)};
+  DumpFrame frame;
+  part.look_at(frame, rods);
+  EXPECT_EQ(part.rods_shown(rods), (std::vector<std::size_t>{0, 4}));
+  EXPECT_EQ(part.left_out_by(), "--box, --top, --cut");
+  PictureOptions picture;
+  part.set(picture, frame);
+  EXPECT_EQ(*picture.box, (Box{{{-1, 1}, {-1, 2}, {0, 1}}}));
+  EXPECT_TRUE(picture.aim_at_rods);
+}
+
+// A drum along y about x = 1, z = -1: open where rods end, or between the ends that are given, and
+// cut through its middle, y = 0 or y = 1.
+TEST(ShownPart, OfADrum)
+{
+  PartOptions options;
+  options.vessel.radius = 2.0;
+  options.vessel.centre = {1.0, -1.0};
+  options.vessel_axis = "y";
+  options.cut = true;
+  const std::vector<Rod> rods{rod_along_x({1, -3, 0.9}, 0.4), rod_along_x({2.9, 0.5, -1}, 0.4),
+                              rod_along_x({1, 3, -1}, 0.4)};
+  DumpFrame frame;
+  ShownPart part(options, View::side, false);
+  part.look_at(frame, rods);
+  EXPECT_EQ(part.rods_shown(rods), (std::vector<std::size_t>{1, 2}));
+  PictureOptions picture;
+  part.set(picture, frame);
+  EXPECT_EQ(picture.vessel->axis, 1);
+  EXPECT_TRUE(picture.vessel->goes_on_below && picture.vessel->goes_on_above);
+  EXPECT_NEAR(picture.vessel->cylinder.z_low, -3.1, 1e-12);
+  EXPECT_NEAR(picture.vessel->cylinder.z_high, 3.1, 1e-12);
+
+  options.vessel.floor = -3.0;
+  options.vessel_height = 8.0;
+  ShownPart closed(options, View::side, false);
+  closed.look_at(frame, rods);
+  EXPECT_EQ(closed.rods_shown(rods), (std::vector<std::size_t>{2}));
+  closed.set(picture, frame);
+  EXPECT_FALSE(picture.vessel->goes_on_below || picture.vessel->goes_on_above);
+  EXPECT_EQ(picture.vessel->cylinder.z_high, 5.0);
+
+  options.vessel_height = 5.9;
+  EXPECT_THROW(ShownPart(options, View::side, false).look_at(frame, rods), InputError);
+  options.vessel_height = 8.0;
+  options.vessel.centre = {-1.0, 1.0};
+  EXPECT_THROW(ShownPart(options, View::side, false).look_at(frame, rods), InputError);
+}
+
+// An upright vessel in a film: as high as the bed becomes and a tenth more.
+TEST(ShownPart, OfAFilmOfAVessel)
+{
+  PartOptions options;
+  options.vessel.radius = 2.0;
+  ShownPart part(options, View::side, true);
+  DumpFrame frame;
+  part.look_at(frame, {rod_along_x({0, 0, 3.9}, 0.4)});
+  part.look_at(frame, {rod_along_x({0, 0, 0.1}, 0.4)});
+  PictureOptions picture;
+  part.set(picture, frame);
+  EXPECT_NEAR(picture.vessel->cylinder.z_high, 4.4, 1e-12);
+  EXPECT_TRUE(picture.vessel->goes_on_above);
+  EXPECT_FALSE(picture.aim_at_rods);
 }
 
 // Front and back dashes cover each other from the side and from the front, and half is gaps.

@@ -63,6 +63,7 @@ class Programs : public ScratchFolder {
     const auto rods = random_bed(options);
     bed_ = dump_text(rods, 1000);
     write("bed.dump", bed_);
+    write("drum.dump", bed_);
     for (const char *name : {"seed1.dump", "seed2.dump", "seed3.dump"}) {
       options.seed += 2;
       write(name, dump_text(random_bed(options), 1000));
@@ -202,6 +203,8 @@ TEST_F(Programs, ExamplesOfThePictures)
   EXPECT_EQ(png_size("pour_0001.png"), (std::pair{400, 600}));
   EXPECT_EQ(png_size("pour_0002.png"), (std::pair{400, 600}));
   EXPECT_FALSE(std::filesystem::exists(folder() / "pour_0003.png"));
+  EXPECT_EQ(png_size("heap_0002.png"), (std::pair{400, 300}));
+  EXPECT_EQ(png_size("drum.png"), (std::pair{400, 300}));
 }
 
 TEST_F(Programs, ExamplesOfThePlots)
@@ -765,6 +768,22 @@ TEST_F(Programs, VtkSeriesHoldsTheVessel)
   EXPECT_NE(read("p_floor.vtp").find("NumberOfPolys=\"1\""), std::string::npos);
 }
 
+// A drum's wall and floor are others than those of an upright vessel of the same size (where they
+// lie: VesselSurface.LiesAlongAnAxis).
+TEST_F(Programs, VtkVesselMayLie)
+{
+  ASSERT_EQ(run("rod_vtk bed.dump --frame last --out p --geometry lines --vessel-radius 0.5 "
+                "--vessel-axis x --floor -2 --vessel-height 7"),
+            0)
+      << error_;
+  EXPECT_EQ(run("rod_vtk bed.dump --frame last --out q --geometry lines --vessel-radius 0.5 "
+                "--vessel-axis z --floor -2 --vessel-height 7"),
+            0)
+      << error_;
+  EXPECT_NE(read("p_vessel.vtp"), read("q_vessel.vtp"));
+  EXPECT_NE(read("p_floor.vtp"), read("q_floor.vtp"));
+}
+
 // A rod of radius r, half cylinder length h along u in the x-z plane, 30 degrees above x, so that
 // z is turned to it by 60 degrees about y: quaternion (0, sin 30, 0, cos 30). Pointing down instead
 // it is the same rod.
@@ -880,8 +899,6 @@ TEST_F(Programs, WrongOptions)
                  "each from 200 to 4000 (got '4001x300')");
   expect_refusal("rod_render bed.dump --out a.png --colour taste", "column 'taste' is missing");
   expect_refusal("rod_render bed.dump --out a.png --background blurple", "--background");
-  expect_refusal("rod_render bed.dump --out a.png --frame all",
-                 "--frame all: needs --vessel-radius");
   expect_refusal(
       "rod_render bed.dump --out a.png --frame all --vessel-radius 1 --top 1 --colour spin",
       "--frame all: needs --range");
@@ -891,15 +908,30 @@ TEST_F(Programs, WrongOptions)
   expect_refusal("rod_render bed.dump --out a.png --range 0 1 --auto-range", "excludes");
   expect_refusal("rod_render bed.dump --out a.png --film a.mp4", "--film: needs --frame all");
   expect_refusal("rod_render bed.dump --out a.png --film a.gif", "must end in .mp4 or .webm");
-  expect_refusal("rod_render bed.dump --out a.png --top 1", "--top: needs --vessel-radius");
+  expect_refusal("rod_render bed.dump --out a.png --top -1",
+                 "bed.dump: step 1000: --top leaves none of its 30 rods");
+  expect_refusal("rod_render pour.dump --frame all --out a.png --top -1 --box 5 6 5 6 5 6",
+                 "pour.dump: --box, --top leaves no rods of any step");
+  expect_refusal("rod_render bed.dump --out a.png --box 0 1 0 1 1 0",
+                 "--box: the upper bound in z must be above the lower (got 1 0)");
+  expect_refusal("rod_render bed.dump --out a.png --box 0 1 0 1 0 1 --vessel-radius 1",
+                 "--box: wanted without --vessel-radius");
+  const std::string drum = "rod_render bed.dump --out a.png --vessel-radius 0.4 --vessel-axis ";
+  expect_refusal(drum + "w", "--vessel-axis");
+  expect_refusal(drum + "y --floor -1",
+                 "--floor, --vessel-height: must be given together with --vessel-axis y");
+  expect_refusal(drum + "y --floor -1 --vessel-height 0.1",
+                 "30 of 30 rod centres are outside the vessel of radius 0.4 along y from -1 to "
+                 "-0.9 through (0, 0, 0)");
   for (const char *tool : {"rod_render bed.dump --out a.png", "rod_vtk bed.dump"}) {
     expect_refusal(std::string(tool) + " --floor 0", "--floor: wanted with --vessel-radius only");
     expect_refusal(std::string(tool) + " --centre 0 0", "--centre: wanted with --vessel-radius");
     expect_refusal(std::string(tool) + " --vessel-height 1", "--vessel-height");
+    expect_refusal(std::string(tool) + " --vessel-axis x", "--vessel-axis: wanted with");
   }
   expect_refusal("rod_render bed.dump --out a.png --top 1 --vessel-radius 1 --floor 2",
                  "--top: must be above the floor 2 (got 1)");
-  expect_refusal("rod_render bed.dump --out a.png --cut", "--cut: needs --vessel-radius");
+  expect_refusal("rod_render bed.dump --out a.png --cut --view top", "--cut: needs a view");
   expect_refusal("rod_render bed.dump --out a.png --cut --vessel-radius 1 --view top",
                  "--cut: needs a view");
   expect_refusal("rod_render bed.dump --out a.png --range 2 1", "--range");
@@ -1027,6 +1059,36 @@ TEST_F(Programs, PartsOfABedAreLeftOut)
   EXPECT_EQ(cut, picture("other.dump --top 0.3 --cut"));
   EXPECT_NE(cut, picture("three.dump --top 0.3"));
   EXPECT_NE(cut, picture("three.dump --top 0.4 --cut"));
+}
+
+// Without a vessel: a rod that lies still looks the same in all pictures of a film though another
+// comes and goes, and as in the film that is played backwards. Alone it fills the picture.
+TEST_F(Programs, FilmWithoutAVesselIsSteady)
+{
+  if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
+  const auto rod = [](int id, double x) {
+    return Rod{id, 1, {{{x, 0, 0.1}, {1, 0, 0}, 0.05}, 0.01}};
+  };
+  const auto still = [&](std::int64_t step) { return dump_text({rod(1, 0)}, step); };
+  const std::string both = dump_text({rod(1, 0), rod(2, 0.5)}, 7);
+  const auto film = [&](const std::string &dump) {
+    write("film.dump", dump);
+    EXPECT_EQ(run("rod_render film.dump --frame all --out f.png --size 200x200 --timestep 1e-9"), 0)
+        << error_;
+    std::vector<std::string> pictures;
+    for (int i = 1; std::filesystem::exists(folder() / fmt::format("f_{:04}.png", i)); ++i) {
+      pictures.push_back(read(fmt::format("f_{:04}.png", i)));
+      std::filesystem::remove(folder() / fmt::format("f_{:04}.png", i));
+    }
+    return pictures;
+  };
+  const auto forth = film(still(5) + both + still(5)), back = film(both + still(5));
+  ASSERT_EQ(forth.size(), 3u);
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(forth[0], forth[2]);
+  EXPECT_EQ(forth[0], back[1]);
+  EXPECT_EQ(forth[1], back[0]);
+  EXPECT_NE(forth[0], film(still(5))[0]);
 }
 
 // A failure after the first of two frames or files, or of the last of several outputs, leaves what
