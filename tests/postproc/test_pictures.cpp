@@ -199,8 +199,8 @@ TEST(ShownPart, BoxAndTopLeaveRodsOut)
   EXPECT_TRUE(picture.aim_at_rods);
 }
 
-// A drum along y about x = 1, z = -1: open where rods end, or between the ends that are given, and
-// cut through its middle, y = 0 or y = 1.
+// A drum along y about x = 1, z = -1: open where rods or a periodic box end, or between the ends
+// that are given, and cut through its middle, y = 0, 2 or 1.
 TEST(ShownPart, OfADrum)
 {
   PartOptions options;
@@ -220,6 +220,17 @@ TEST(ShownPart, OfADrum)
   EXPECT_TRUE(picture.vessel->goes_on_below && picture.vessel->goes_on_above);
   EXPECT_NEAR(picture.vessel->cylinder.z_low, -3.1, 1e-12);
   EXPECT_NEAR(picture.vessel->cylinder.z_high, 3.1, 1e-12);
+
+  DumpFrame periodic;
+  periodic.periodic = {false, true, false};
+  periodic.box = {{{-9, 9}, {-4, 8}, {-9, 9}}};
+  ShownPart long_drum(options, View::side, false);
+  long_drum.look_at(periodic, rods);
+  EXPECT_EQ(long_drum.rods_shown(rods), (std::vector<std::size_t>{2}));  // behind y = 2
+  long_drum.set(picture, periodic);
+  EXPECT_FALSE(picture.box);
+  EXPECT_EQ(picture.vessel->cylinder.z_low, -4.0);
+  EXPECT_EQ(picture.vessel->cylinder.z_high, 8.0);
 
   options.vessel.floor = -3.0;
   options.vessel_height = 8.0;
