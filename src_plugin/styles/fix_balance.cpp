@@ -3,6 +3,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "deck_numbers.h"
 #include "force.h"
 #include "rod_checks.h"
 #include "update.h"
@@ -14,7 +15,7 @@ FixBalance::FixBalance(LAMMPS *lmp, int narg, char **arg)
     : Fix(lmp, narg, arg),
       cuts_(lmp, std::string("Fix balance (id ") + arg[0] + ")", narg - 4, arg + 4)
 {
-  nevery = force->inumeric(FLERR, arg[3]);
+  nevery = deck_whole_number(lmp, fix_and_id(arg), "Nevery", arg[3]);
   if (nevery < 0)
     rod_error_all(lmp, "Fix balance (id %s): Nevery must be >= 0 (got %s)", id, arg[3]);
   if (igroup != 0)

@@ -9,6 +9,7 @@
 #include "atom_vec_spherocylinder.h"
 #include "comm.h"
 #include "core/capsule.h"
+#include "deck_numbers.h"
 #include "force.h"
 #include "rod_checks.h"
 #include "update.h"
@@ -24,10 +25,10 @@ FixCheckTimestepSpherocylinder::FixCheckTimestepSpherocylinder(LAMMPS *lmp, int 
   if (narg < 5)
     rod_error_all(lmp, "Fix %s (id %s): expected an interval in steps and a fraction of the stable "
                   "step", style, id);
-  nevery = force->inumeric(FLERR, arg[3]);
+  nevery = deck_whole_number(lmp, fix_and_id(arg), "the interval", arg[3]);
   if (nevery < 1)
     rod_error_all(lmp, "Fix %s (id %s): the interval must be >= 1 step (got %s)", style, id, arg[3]);
-  allowed_fraction_ = force->numeric(FLERR, arg[4]);
+  allowed_fraction_ = deck_number(lmp, fix_and_id(arg), "the fraction", arg[4]);
   if (!(allowed_fraction_ > 0.0 && allowed_fraction_ <= 1.0))
     rod_error_all(lmp, "Fix %s (id %s): the fraction must be > 0 and <= 1 (got %s)", style, id,
                   arg[4]);

@@ -11,6 +11,7 @@
 #include "comm.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
+#include "deck_numbers.h"
 #include "domain.h"
 #include "fix_property_atom.h"
 #include "region.h"
@@ -21,26 +22,6 @@ using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
 
 namespace {
-
-double number(LAMMPS *lmp, char **arg, const char *keyword, const std::string &word)
-{
-  char *end = nullptr;
-  const double value = strtod(word.c_str(), &end);
-  if (end == word.c_str() || *end != '\0' || !std::isfinite(value))
-    rod_error_all(lmp, "Fix %s (id %s): %s must be a number (got %s)", arg[2], arg[0], keyword,
-                  word.c_str());
-  return value;
-}
-
-// A whole number, however it is written, as LIGGGHTS reads it.
-std::string whole(LAMMPS *lmp, char **arg, const char *keyword, double value,
-                  const std::string &word)
-{
-  if (value != std::floor(value) || std::fabs(value) > INT_MAX)
-    rod_error_all(lmp, "Fix %s (id %s): %s must be a whole number (got %s)", arg[2], arg[0], keyword,
-                  word.c_str());
-  return std::to_string(static_cast<int>(value));
-}
 
 struct Numbers {
   const char *keyword, *kind;  // kind: the word between keyword and numbers, null without
@@ -151,8 +132,10 @@ InsertionArguments::InsertionArguments(LAMMPS *lmp, int narg, char **arg) : word
                       wanted.keyword, wanted.count, narg - first);
       double values[6];
       for (int m = 0; m < wanted.count; m++)
-        values[m] = number(lmp, arg, wanted.keyword, words_[first + m]);
-      if (wanted.is_whole) words_[first] = whole(lmp, arg, wanted.keyword, values[0], words_[first]);
+        values[m] = deck_number(lmp, fix_and_id(arg), wanted.keyword, words_[first + m]);
+      if (wanted.is_whole)
+        words_[first] =
+            std::to_string(deck_whole_number(lmp, fix_and_id(arg), wanted.keyword, words_[first]));
       if (strcmp(wanted.keyword, "orientation") == 0) {
         double squared = 0.0;
         for (int m = 0; m < 4; m++) squared += values[m] * values[m];

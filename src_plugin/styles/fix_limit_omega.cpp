@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
+#include "deck_numbers.h"
 #include "fix_move_spherocylinder.h"
 #include "force.h"
 #include "memory.h"
@@ -29,7 +30,7 @@ FixLimitOmega::FixLimitOmega(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
 {
   rods_of(lmp, "Fix limit/omega");
   if (narg < 4) rod_error_all(lmp, "Fix limit/omega (id %s): expected a limit in rad/s", id);
-  limit_ = force->numeric(FLERR, arg[3]);
+  limit_ = deck_number(lmp, fix_and_id(arg), "omega", arg[3]);
   if (!(limit_ > 0.0) || std::isinf(limit_))
     rod_error_all(lmp, "Fix limit/omega (id %s): omega must be > 0 (got %s)", id, arg[3]);
 

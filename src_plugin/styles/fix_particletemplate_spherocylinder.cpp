@@ -10,6 +10,7 @@
 
 #include "comm.h"
 #include "core/mass_properties.h"
+#include "deck_numbers.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_insert.h"
@@ -96,7 +97,7 @@ void FixParticletemplateSpherocylinder::parse_rod_keywords(int narg, char **arg)
         rod_error_all(lmp, "Fix %s (id %s): %s must be constant (got %s); mix sizes by several "
                       "templates in particledistribution/discrete",
                       style, id, arg[i], arg[i + 1]);
-      const double value = force->numeric(FLERR, arg[i + 2]);
+      const double value = deck_number(lmp, fix_and_id(arg), arg[i], arg[i + 2]);
       if (!(value > 0.0))
         rod_error_all(lmp, "Fix %s (id %s): %s must be > 0 (got %s)", style, id, arg[i],
                       arg[i + 2]);

@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "deck_numbers.h"
 #include "domain.h"
 #include "force.h"
 #include "neighbor.h"
@@ -59,8 +60,7 @@ SubdomainCuts::SubdomainCuts(LAMMPS *lmp, const std::string &who, int narg, char
   if (narg != kArguments)
     rod_error_all(lmp, "%s: expected thresh shift dimstr Niter stopthresh", begin);
 
-  Force *force = lmp->force;
-  threshold_ = force->numeric(FLERR, arg[0]);
+  threshold_ = deck_number(lmp_, who_, "thresh", arg[0]);
   if (!(threshold_ >= 1.0))
     rod_error_all(lmp, "%s: thresh must be >= 1 (got %s)", begin, arg[0]);
   if (strcmp(arg[1], "shift") != 0)
@@ -73,9 +73,9 @@ SubdomainCuts::SubdomainCuts(LAMMPS *lmp, const std::string &who, int narg, char
                     arg[2]);
     dimensions_.push_back(d);
   }
-  iterations_ = force->inumeric(FLERR, arg[3]);
+  iterations_ = deck_whole_number(lmp_, who_, "Niter", arg[3]);
   if (iterations_ < 1) rod_error_all(lmp, "%s: Niter must be >= 1 (got %s)", begin, arg[3]);
-  stop_threshold_ = force->numeric(FLERR, arg[4]);
+  stop_threshold_ = deck_number(lmp_, who_, "stopthresh", arg[4]);
   if (!(stop_threshold_ >= 1.0))
     rod_error_all(lmp, "%s: stopthresh must be >= 1 (got %s)", begin, arg[4]);
 }

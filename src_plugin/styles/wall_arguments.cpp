@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "deck_numbers.h"
 #include "force.h"
 #include "fix.h"
 #include "lammps.h"
@@ -38,8 +39,8 @@ WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
       rod_error_all(lmp, "Fix wall/gran (id %s): turn must be followed by a rate and two coordinates of "
                          "the centre in the plane", arg[0]);
     turns = true;
-    turning = lmp->force->numeric(FLERR, arg[++k]);
-    for (double &coordinate : centre) coordinate = lmp->force->numeric(FLERR, arg[++k]);
+    turning = deck_number(lmp, fix_and_id(arg), "the rate of turn", arg[++k]);
+    for (double &coordinate : centre) coordinate = deck_number(lmp, fix_and_id(arg), "the centre of turn", arg[++k]);
   }
 
   // LIGGGHTS reads on without looking where the line ends.
