@@ -11,6 +11,10 @@ namespace {
 // closest point: contacts of hard rods are well below.
 constexpr double kDeep = 0.1;
 
+// Distance of the axes, over the sum of the radii, below which they count as meeting: f is below 1e-11
+// there, and the direction from axis to axis may be round-off.
+constexpr double kMeeting = 1e-6;
+
 // A value and its derivative by what it depends on.
 struct Smooth {
   double value, slope;
@@ -135,6 +139,7 @@ RodContact spread_contact(const Segment &i, const Segment &j, double reach,
   // The first two: end to end, there is nothing to spread over.
   if (!(on_i.low < on_i.high) || !(on_j.low < on_j.high) || !(overlap > 0.0))
     return {closest, overlap};
+  if (reach - overlap < kMeeting * reach) return {closest, overlap};
 
   const double squared_sine = norm_squared(cross(i.axis, j.axis));
   // q^2 = lengths sin^2 (1 + deep^2)/overlap.

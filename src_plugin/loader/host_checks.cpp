@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "atom.h"
@@ -34,6 +35,16 @@ struct GhostGroup {
   friend type member(GhostGroup);
 };
 template struct ExposeMember<GhostGroup, &Comm::bordergroup>;
+struct DumpFormat {
+  using type = char *Dump::*;
+  friend type member(DumpFormat);
+};
+template struct ExposeMember<DumpFormat, &Dump::format_user>;
+struct DumpColumns {
+  using type = int Dump::*;
+  friend type member(DumpColumns);
+};
+template struct ExposeMember<DumpColumns, &Dump::size_one>;
 
 namespace {
 
@@ -184,6 +195,22 @@ void say_if_rods_cannot_touch(LAMMPS *lmp)
                      "other");
 }
 
+// LIGGGHTS goes through the words of a dump's format, one a column, without looking whether there is one.
+void check_dump_format(LAMMPS *lmp, Dump &dump)
+{
+  if (!is(dump.style, "custom") && !is(dump.style, "local")) return;
+  const char *format = dump.*member(DumpFormat());
+  if (!format) return;
+  std::istringstream stream(format);
+  int words = 0;
+  for (std::string word; stream >> word;) words++;
+  const int columns = dump.*member(DumpColumns());
+  if (words < columns)
+    rod_error_all(lmp, "Dump %s (id %s): the format of dump_modify must have a word for each of the %d "
+                       "columns (got %d)",
+                  dump.style, dump.id, columns, words);
+}
+
 // LIGGGHTS asks for atom types that start from 1 then.
 void check_there_is_a_rod(LAMMPS *lmp)
 {
@@ -238,8 +265,9 @@ void check_styles_at_run_start(LAMMPS *lmp)
     check_with_id(lmp, HostKind::Compute, compute->style, compute->id);
   }
   for (int i = 0; i < lmp->output->ndump; i++) {
-    const Dump *dump = lmp->output->dump[i];
+    Dump *dump = lmp->output->dump[i];
     check_with_id(lmp, HostKind::Dump, dump->style, dump->id);
+    check_dump_format(lmp, *dump);
   }
 }
 

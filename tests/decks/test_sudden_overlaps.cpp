@@ -64,7 +64,7 @@ const Case kCases[] = {
      nullptr},
     {"DeletedThenDisplaced", kHistory,
      "delete_atoms group first\ndisplace_atoms fifth move 0.9 -0.2 -0.4841 units box\n", "run 5",
-     "rods 1 and 4 overlap by 0.4"},
+     "overlap by 0.4"},  // which ids the rods have now depends on the ranks
     {"PreNoAfterDeletion", kHistory, "delete_atoms group fifth\n", "run 5 pre no",
      "Run: pre no cannot be used after a command has deleted, added or renamed rods"},
     {"TypeOfLaterPreNo", kHistory, "set group fifth type 2\n", "run 5 pre no",
