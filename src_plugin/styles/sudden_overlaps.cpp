@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "sudden_overlaps.h"
 
-#include <mpi.h>
-
 #include <cmath>
 
 #include "atom.h"
 #include "comm.h"
 #include "core/vec3.h"
+#include "from_all_ranks.h"
 #include "rod_checks.h"
 #include "update.h"
 
@@ -22,18 +21,12 @@ void SuddenOverlaps::note(int i, int j, double overlap, bool movable)
 // All ranks' deep overlaps of the step before, on each rank.
 void SuddenOverlaps::gather_before()
 {
-  const int ranks = comm->nprocs, mine = static_cast<int>(2 * before_.size());
-  std::vector<int> counts(ranks), places(ranks, 0), ids;
+  std::vector<int> ids;
   for (const Deep &deep : before_) {
     ids.push_back(deep.id);
     ids.push_back(deep.other_id);
   }
-  MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  for (int k = 1; k < ranks; k++) places[k] = places[k - 1] + counts[k - 1];
-  std::vector<int> all(places.back() + counts.back());
-  if (all.empty()) return;
-  MPI_Allgatherv(ids.data(), mine, MPI_INT, all.data(), counts.data(), places.data(), MPI_INT,
-                 world);
+  const std::vector<int> all = from_all_ranks(world, ids);
   before_.clear();
   for (size_t k = 0; k < all.size(); k += 2)
     before_.push_back({all[k], all[k + 1], 0, 0, 0.0, false});
