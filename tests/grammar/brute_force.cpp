@@ -68,31 +68,50 @@ Closest closest_by_search(const Rod &a, const Rod &b, const Vec3 &b_from_a)
   return best;
 }
 
+// The nearest image of a difference of positions and those beside it.
+static std::vector<Vec3> images(const Box &box, const Vec3 &difference)
+{
+  std::vector<Vec3> all = {box.nearest(difference)};
+  for (int d = 0; d < 3; d++) {
+    if (!box.periodic[d]) continue;
+    const std::vector<Vec3> before = all;
+    for (Vec3 image : before) {
+      component(image, d) += box.period(d);
+      all.push_back(image);
+      component(image, d) -= 2.0 * box.period(d);
+      all.push_back(image);
+    }
+  }
+  return all;
+}
+
 std::vector<Touch> pair_touches(const State &state, const Material &material, double least)
 {
   std::vector<Touch> touches;
   for (auto first = state.rods.begin(); first != state.rods.end(); ++first)
     for (auto second = std::next(first); second != state.rods.end(); ++second) {
       const Rod &a = first->second, &b = second->second;
-      const Vec3 apart = state.box.nearest(b.x - a.x);
       const double reach = a.radius + b.radius;
-      if (norm(apart) > 0.5 * (a.length + b.length) - least) continue;
-      const Closest closest = closest_by_search(a, b, apart);
-      if (reach - closest.distance <= least) continue;
-      Touch touch;
-      touch.i = a.id;
-      touch.j = b.id;
-      touch.reach = reach;
-      touch.overlap = reach - closest.distance;
-      const Vec3 from_b = closest.on_a - closest.on_b - apart;
-      touch.normal = closest.distance > 0.0 ? (1.0 / closest.distance) * from_b : Vec3{0, 0, 0};
-      touch.arm_i = closest.on_a - (a.radius - 0.5 * touch.overlap) * touch.normal;
-      touch.arm_j = closest.on_b + (b.radius - 0.5 * touch.overlap) * touch.normal;
-      touch.stiffness = pair_stiffness(a, b, material);
-      const bool spheres = a.half_cylinder() < 1e-3 * a.radius || b.half_cylinder() < 1e-3 * b.radius;
-      touch.plain = closest.distance > 0.1 * reach &&
-                    (spheres || norm(cross(a.axis, b.axis)) > 0.02);
-      touches.push_back(touch);
+      for (const Vec3 &apart : images(state.box, b.x - a.x)) {
+        if (norm(apart) > 0.5 * (a.length + b.length) - least) continue;
+        const Closest closest = closest_by_search(a, b, apart);
+        if (reach - closest.distance <= least) continue;
+        Touch touch;
+        touch.i = a.id;
+        touch.j = b.id;
+        touch.reach = reach;
+        touch.overlap = reach - closest.distance;
+        const Vec3 from_b = closest.on_a - closest.on_b - apart;
+        touch.normal = closest.distance > 0.0 ? (1.0 / closest.distance) * from_b : Vec3{0, 0, 0};
+        touch.arm_i = closest.on_a - (a.radius - 0.5 * touch.overlap) * touch.normal;
+        touch.arm_j = closest.on_b + (b.radius - 0.5 * touch.overlap) * touch.normal;
+        touch.stiffness = pair_stiffness(a, b, material);
+        const bool spheres =
+            a.half_cylinder() < 1e-3 * a.radius || b.half_cylinder() < 1e-3 * b.radius;
+        touch.plain = closest.distance > 0.1 * reach &&
+                      (spheres || norm(cross(a.axis, b.axis)) > 0.02);
+        touches.push_back(touch);
+      }
     }
   return touches;
 }

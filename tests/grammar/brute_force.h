@@ -27,8 +27,8 @@ struct Closest {
 };
 Closest closest_by_search(const Rod &a, const Rod &b, const Vec3 &b_from_a);
 
-// Overlaps above `least` (may be negative: rods nearer than that). A rod must not reach beyond
-// half a period, or images are missed: see images_are_plain.
+// Overlaps above `least` (may be negative: rods nearer than that), of a pair through each image that
+// touches. A rod must not be longer than a period and a half, or images are missed.
 std::vector<Touch> pair_touches(const State &state, const Material &material, double least = 0.0);
 std::vector<Touch> wall_touches(const State &state, const std::vector<Wall> &walls,
                                 const Material &material);
