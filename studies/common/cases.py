@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs decks, reads their logs and measures the beds they leave."""
+from __future__ import annotations
+
+import io
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import pandas
+
+ROOT = Path(__file__).resolve().parents[2]
+DEFAULT_BUILD = ROOT / "build" / "release"
+
+
+class CaseError(RuntimeError):
+    """A program that failed, in one sentence."""
+
+
+@dataclass(frozen=True)
+class Run:
+    loop_seconds: float  # of all `run` commands of the deck together, as LIGGGHTS gives them
+    cpu_seconds: float   # user and system time of the program, of all ranks together
+    log: Path
+    command: str         # as typed, with paths from the project's folder on
+
+
+def program_path(name: str, build: Path | str | None = None) -> str:
+    """One of ours in `build`, or the stock liggghts of the PATH."""
+    if name == "liggghts":
+        found = shutil.which(name)
+        if not found:
+            raise CaseError("liggghts is not there: scripts/setup installs it")
+        return found
+    path = Path(build or DEFAULT_BUILD).resolve() / name
+    if not path.exists():
+        raise CaseError(f"{path} is not there: scripts/build makes it")
+    return str(path)
+
+
+def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None,
+             program: str = "lmp", ranks: int = 1, build: Path | str | None = None,
+             name: str | None = None) -> Run:
+    """Runs a deck with `folder` as its working folder; leaves log.NAME and screen.NAME there, NAME
+    being the deck's name without `in.` unless given. Raises CaseError with the deck's ERROR line.
+    """
+    folder = Path(folder)
+    deck = str(deck)
+    name = name or re.sub(r"^in\.", "", Path(deck).name)
+    log, screen = folder / f"log.{name}", folder / f"screen.{name}"
+    start = program_path(program, build)
+    command = [start, "-in", deck, "-log", log.name]
+    for variable, value in (variables or {}).items():
+        values = value if isinstance(value, (list, tuple)) else [value]
+        command += ["-var", variable, *map(str, values)]
+    if ranks > 1:
+        command = ["mpirun", "-np", str(ranks), "--oversubscribe", "--bind-to", "none", *command]
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1",
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    # Single ranks of Open MPI share, and remove, one session folder; its path must be short.
+    with tempfile.TemporaryDirectory(prefix="mpi") as session, open(screen, "wb") as out:
+        environment["OMPI_MCA_orte_tmpdir_base"] = session
+        if ranks == 1:
+            environment["OMPI_MCA_ess_singleton_isolated"] = "1"
+        process = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                                   stdout=out, stderr=subprocess.STDOUT)
+        try:
+            _, status, usage = os.wait4(process.pid, 0)
+        except BaseException:
+            process.kill()
+            raise
+        process.returncode = os.waitstatus_to_exitcode(status)
+    text = screen.read_text(errors="replace")
+    typed = shlex.join([program if word == start else word.replace(f"{ROOT}/", "")
+                        for word in command])
+    reason = failure(text, process.returncode)
+    if reason:
+        raise CaseError(f"{reason} (in {folder}: {typed}; all of it in {screen})")
+    loops = [float(t) for t in re.findall(r"^Loop time of (\S+) on", text, re.MULTILINE)]
+    return Run(sum(loops), usage.ru_utime + usage.ru_stime, log, typed)
+
+
+def failure(screen: str, code: int) -> str | None:
+    """Why a run failed, None if it did not. LIGGGHTS ends with 0 after a `quit` and after a
+    signal."""
+    error = re.search(r"^\s*(ERROR.*)$", screen, re.MULTILINE)
+    if error:
+        return error.group(1).strip()
+    if "SIGINT/SIGTERM caught" in screen:
+        return "stopped by a signal"
+    if code < 0:
+        return f"ended by signal {-code}"
+    if code != 0:
+        last = screen.strip().splitlines()[-1:] or ["no output"]
+        return f"exit code {code}: {last[0]}"
+    return None
+
+
+def read_log(path: Path | str) -> list[pandas.DataFrame]:
+    """The tables of a log, one a `run`. LIGGGHTS calls all values of a compute alike: the second
+    column `contacts` becomes contacts.2, the third contacts.3."""
+    tables: list[pandas.DataFrame] = []
+    columns: list[str] = []
+    rows: list[str] = []
+    for line in Path(path).read_text(errors="replace").splitlines():
+        words = line.split()
+        if words[:1] == ["Step"]:
+            columns, rows = unlike(words), []
+        elif line.startswith("Loop time"):
+            if columns:
+                tables.append(table_of(columns, rows))
+            columns = []
+        elif columns and len(words) == len(columns) and words[0].isdigit():
+            rows.append(" ".join(words))
+    if columns and rows:
+        tables.append(table_of(columns, rows))  # of a run that is not over
+    if not tables:
+        raise CaseError(f"{path} has no table")
+    return tables
+
+
+def unlike(names: list[str]) -> list[str]:
+    seen: dict[str, int] = {}
+    result = []
+    for name in names:
+        seen[name] = seen.get(name, 0) + 1
+        result.append(name if seen[name] == 1 else f"{name}.{seen[name]}")
+    return result
+
+
+def table_of(columns: list[str], rows: list[str]) -> pandas.DataFrame:
+    return pandas.read_csv(io.StringIO("\n".join(rows)), sep=" ", names=columns,
+                           float_precision="round_trip")
+
+
+def run_tool(name: str, *arguments, build: Path | str | None = None) -> str:
+    """Runs one of the rod_* programs; its output, or CaseError with its sentence."""
+    done = subprocess.run([program_path(name, build), *map(str, arguments)], text=True,
+                          stdin=subprocess.DEVNULL, capture_output=True)
+    if done.returncode != 0:
+        lines = (done.stderr.strip() or done.stdout.strip()).splitlines() or ["no output"]
+        raise CaseError(f"{name}: {lines[-1]}")
+    return done.stdout
+
+
+def measure_bed(dump: Path | str, vessel_radius: float, build: Path | str | None = None,
+                options: tuple = ()) -> dict:
+    """Columns of rod_packing and of rod_orientation's summary, of the dump's last frame. `options`
+    are for both programs."""
+    with tempfile.TemporaryDirectory() as folder:
+        packing, order = Path(folder, "packing.csv"), Path(folder, "order.csv")
+        run_tool("rod_packing", dump, "--vessel-radius", vessel_radius, "--csv", packing, *options,
+                 build=build)
+        run_tool("rod_orientation", dump, "--summary-csv", order, *options, build=build)
+        values: dict = {}
+        for path in (packing, order):
+            table = pandas.read_csv(path, float_precision="round_trip")
+            values.update(table.iloc[-1].to_dict())
+    return values
+
+
+def measure_elevation(dump: Path | str, bins: int,
+                      build: Path | str | None = None) -> pandas.DataFrame:
+    """rod_orientation's distribution of the elevation, a row a bin."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "elevation.csv")
+        run_tool("rod_orientation", dump, "--bins", bins, "--csv", path, build=build)
+        return pandas.read_csv(path, float_precision="round_trip")

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# What all studies share; the first line of each Snakefile includes it. It gives
+#   ROOT, HERE     the project's folder and the study's
+#   STUDY          the study's name, that of its folder
+#   MODE           full, quick or smoke (the tests')
+#   KEPT           figures and pages from the kept CSV files alone: define no rule that makes those
+#   BUILD          folder of the programs
+#   RESULTS        folder of CSV, figures and pages; README is the page beside or in it
+#   PLUGIN, TOOLS  stamps of the sources of the plug-in and of the post-processors, as inputs of
+#                  rules that run or measure
+#   config         config.yaml with the values of its section `modes: quick:` or `modes: smoke:` in
+#                  such a run; what is given by --config wins
+# and refuse(sentence). The working folder, to which relative paths belong, is the study's of this
+# mode in build/studies, also that of snakemake's own records.
+import os
+import sys
+from pathlib import Path
+
+from snakemake.exceptions import WorkflowError
+
+HERE = Path(workflow.basedir).resolve()
+ROOT = Path(workflow.current_basedir.get_path_or_uri()).resolve().parents[1]
+sys.path[:0] = [str(ROOT)]
+
+from studies.common import rows as _rows  # noqa: E402
+
+
+def refuse(sentence):
+    raise WorkflowError(f"{STUDY}: {sentence}")
+
+
+def truth(name):
+    value = str(config.get(name, 0)).lower()
+    if value not in ("0", "1", "true", "false"):
+        refuse(f"{name} must be 0 or 1 (got '{value}')")
+    return value in ("1", "true")
+
+
+def folder_given(name, default):
+    return Path(_started_in, str(config[name])).resolve() if name in config else default
+
+
+def stamp(name, *sources):
+    """A file that is new whenever the sources are others."""
+    path, text = ROOT / "build" / "studies" / f"{name}.version", _rows.sum_of(*sources) + "\n"
+    if not path.exists() or path.read_text() != text:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        unfinished = path.with_name(f"{path.name}.{os.getpid()}")
+        unfinished.write_text(text)
+        unfinished.replace(path)
+    return str(path)
+
+
+configfile: str(HERE / "config.yaml")
+
+
+# The folder in which snakemake was started; jobs are started in the working folder.
+_started_in = os.environ.setdefault("STUDY_STARTED_IN", os.getcwd())
+STUDY = HERE.name if HERE.parent.name == "studies" else HERE.relative_to(ROOT).as_posix()
+KEPT = truth("kept")
+MODE = "smoke" if truth("smoke") else "quick" if truth("quick") else "full"
+for _name, _value in (config.get("modes", {}).get(MODE) or {}).items():
+    if _name not in workflow.overwrite_config:
+        config[_name] = _value
+
+BUILD = folder_given("build", ROOT / "build" / "release")
+if "build" in config and not BUILD.is_dir():
+    BUILD = (ROOT / str(config["build"])).resolve()
+WORK = folder_given("work", ROOT / "build" / "studies" /
+                    (STUDY if MODE == "full" else f"{STUDY}_{MODE}"))
+_elsewhere = "results" in config or "work" in config or MODE != "full"
+RESULTS = folder_given("results", WORK / "results" if _elsewhere else HERE / "results")
+README = str((RESULTS if _elsewhere else HERE) / "README.md")
+PLUGIN = stamp("plugin", *_rows.PLUGIN_SOURCES)
+TOOLS = stamp("tools", "postproc/analysis", "src_plugin/core", "postproc/tools")
+
+# One timed job at a time; such a job also takes all threads: threads: workflow.cores.
+workflow.global_resources.setdefault("timing", 1)
+
+
+workdir: str(WORK)

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Rows of results: where they come from, writing and collecting them."""
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+from pathlib import Path
+from typing import Iterable
+
+import pandas
+
+ROOT = Path(__file__).resolve().parents[2]
+PLUGIN_SOURCES = ("src_plugin",)
+PROVENANCE = ("command", "seed", "version", "machine")
+
+
+def sum_of(*parts: Path | str) -> str:
+    """Check sum of files and of what folders hold, the same on every machine: twelve digits."""
+    total = hashlib.sha256()
+    for part in parts:
+        part = ROOT / part
+        files = [part] if part.is_file() else sorted(p for p in part.rglob("*") if p.is_file())
+        for path in files:
+            total.update(path.relative_to(ROOT).as_posix().encode() + b"\0")
+            total.update(path.read_bytes())
+    return total.hexdigest()[:12]
+
+
+def version() -> str:
+    """Which plug-in: the check sum of its sources."""
+    return sum_of(*PLUGIN_SOURCES)
+
+
+def machine() -> str:
+    """The processor and how many cores of it there are."""
+    name = "unknown processor"
+    try:
+        found = re.search(r"^model name\s*:\s*(.+)$", Path("/proc/cpuinfo").read_text(),
+                          re.MULTILINE)
+        name = " ".join(found.group(1).split()) if found else name
+    except OSError:
+        pass
+    cores = len(os.sched_getaffinity(0))
+    return f"{name}, {cores} core{'s' if cores != 1 else ''}"
+
+
+def provenance(command: str, seed: int | str) -> dict:
+    return {"command": command, "seed": seed, "version": version(), "machine": machine()}
+
+
+def write_rows(path: Path | str, rows: pandas.DataFrame | Iterable[dict]) -> None:
+    """CSV, whole or not at all; numbers with ten digits."""
+    table = rows if isinstance(rows, pandas.DataFrame) else pandas.DataFrame(list(rows))
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    unfinished = path.with_name(path.name + ".new")
+    table.to_csv(unfinished, index=False, float_format="%.10g", lineterminator="\n")
+    unfinished.replace(path)
+
+
+def read_rows(path: Path | str) -> pandas.DataFrame:
+    return pandas.read_csv(path, float_precision="round_trip", comment="#")
+
+
+def collect(paths: Iterable[Path | str], path: Path | str, by: list[str] | None = None) -> None:
+    """Puts the rows of many files into one, in the order of the columns `by`, else of the files."""
+    table = pandas.concat([read_rows(p) for p in paths], ignore_index=True)
+    if by:
+        table = table.sort_values(by, kind="stable", ignore_index=True)
+    write_rows(path, table)
