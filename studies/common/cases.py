@@ -85,6 +85,16 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
     return Run(sum(loops), usage.ru_utime + usage.ru_stime, log, typed)
 
 
+def link_decks(folder: Path | str, decks) -> None:
+    """Makes the folder and puts links to the decks there, so that one can include the other."""
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    for deck in map(Path, decks):
+        link = folder / deck.name
+        link.unlink(missing_ok=True)
+        link.symlink_to(deck.resolve())
+
+
 def failure(screen: str, code: int) -> str | None:
     """Why a run failed, None if it did not. LIGGGHTS ends with 0 after a `quit` and after a
     signal."""
@@ -150,15 +160,15 @@ def run_tool(name: str, *arguments, build: Path | str | None = None) -> str:
 
 def measure_bed(dump: Path | str, vessel_radius: float, build: Path | str | None = None,
                 options: tuple = ()) -> dict:
-    """Columns of rod_packing and of rod_orientation's summary, of the dump's last frame. `options`
-    are for both programs."""
+    """Columns of rod_packing and of rod_orientation's summary, of the dump's last frame; those that
+    both have are rod_packing's. `options` are for both programs."""
     with tempfile.TemporaryDirectory() as folder:
         packing, order = Path(folder, "packing.csv"), Path(folder, "order.csv")
         run_tool("rod_packing", dump, "--vessel-radius", vessel_radius, "--csv", packing, *options,
                  build=build)
         run_tool("rod_orientation", dump, "--summary-csv", order, *options, build=build)
         values: dict = {}
-        for path in (packing, order):
+        for path in (order, packing):
             table = pandas.read_csv(path, float_precision="round_trip")
             values.update(table.iloc[-1].to_dict())
     return values
