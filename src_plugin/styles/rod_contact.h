@@ -23,10 +23,11 @@ constexpr double kWarnedFraction = 0.2;
 // other at 1. Warned about.
 constexpr double kWarnedOverlap = 0.5;
 
-// An overlap that is deeper by this share of the diameter than any of the steps before has not come
-// by motion: with the longest step that is not warned about a rod that goes in up to 0.5 gets 0.2 a
-// step. The rod was placed so.
-constexpr double kPlacedOverlap = 0.25;
+// An overlap of this share of the diameter that was not there in the step before is no impact: the
+// rod was placed so. An impact that goes up to kWarnedOverlap = 0.5 with the longest step that is not
+// warned about, 0.2 of the stability limit 2/omega, begins with at most v dt = (0.5 omega)(0.4/omega)
+// = 0.2.
+constexpr double kSuddenOverlap = 0.25;
 
 // Watches every contact, whatever model made it: warns once a run if the time step is far too
 // long or an overlap far too deep, and keeps the largest overlap.
@@ -78,7 +79,7 @@ class ContactMonitor : protected Pointers {
     char partner[40] = "a wall";
     if (j >= 0) snprintf(partner, sizeof(partner), "rod %d", atom->tag[j]);
     const char *advice = "use a stiffer contact or slower rods";
-    if (rods_->largest_overlap - largest_before_ > kPlacedOverlap)
+    if (rods_->largest_overlap - largest_before_ > kSuddenOverlap)
       advice = j >= 0 ? "it was not there in the step before: one of them was placed in the other"
                       : "it was not there in the step before: the rod was placed through the wall; "
                         "keep data files clear of walls, and insertion regions by half a rod, or the "

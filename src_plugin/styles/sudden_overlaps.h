@@ -5,20 +5,15 @@
 #include <vector>
 
 #include "pointers.h"
+#include "rod_contact.h"
 
 namespace LAMMPS_NS {
-
-// An overlap of this share of the (mean) diameter that was not there in the step before is no impact.
-// An impact that goes up to kWarnedOverlap = 0.5 with the longest step that is not warned about, 0.2
-// of the stability limit 2/omega, begins with at most v dt = (0.5 omega)(0.4/omega) = 0.2; overlaps
-// of less than kWatched are not looked up again.
-constexpr double kSuddenOverlap = 0.25;
 
 // Ends the run where two rods overlap far that did not a step ago: some command or fix has put them
 // there. Knows the deep overlaps of the step before by the rods' ids, on whatever rank they were.
 class SuddenOverlaps : protected Pointers {
  public:
-  static constexpr double kWatched = 0.05;
+  static constexpr double kWatched = 0.05;  // overlaps below are not looked up again
 
   explicit SuddenOverlaps(LAMMPS *lmp) : Pointers(lmp) {}
 
