@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "analysis/frame_columns.h"
 #include "analysis/input_error.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
@@ -20,49 +22,18 @@ constexpr int most_spheres = 100000;
 // primes, all different within a command.
 constexpr int template_seed = 15485863, distribution_seed = 32452843, insertion_seed = 32452867;
 
-// Points that the host tries for the share of each sphere in the body's volume, which only a coupled
-// flow solver uses: the fewest it accepts.
+// Points that the host tries for the share of each sphere in the body's volume, which only a
+// coupled flow solver uses: the fewest it accepts.
 constexpr int volume_tries = 1000;
 
 // insert/pack knows no point: it gets a region so wide (of the box's largest coordinate) that the
 // numbers in it are still different ones.
 constexpr double point_width = 1e-13;
 
-std::size_t need_column(const DumpFrame &frame, const std::string &name, const std::string &why)
+double component(const Vec3 &a, int d)
 {
-  if (const auto column = frame.find_column(name)) return *column;
-  throw InputError(fmt::format("{}:{}: column '{}' is missing, wanted {}", frame.path,
-                               frame.header_line, name, why));
+  return d == 0 ? a.x : d == 1 ? a.y : a.z;
 }
-
-// Three columns that are there together or not at all.
-class VectorColumns {
- public:
-  VectorColumns(const DumpFrame &frame, const std::array<std::string, 3> &names) : frame_(frame)
-  {
-    const auto is_there = [&](const std::string &name) {
-      return frame.find_column(name).has_value();
-    };
-    if (std::none_of(names.begin(), names.end(), is_there)) return;
-    for (int d = 0; d < 3; ++d)
-      columns_[d] = need_column(frame, names[d], "it beside its two others");
-    any_ = true;
-  }
-
-  Vec3 of(std::size_t row) const
-  {
-    if (!any_) return {0.0, 0.0, 0.0};
-    return {frame_.value(row, columns_[0]), frame_.value(row, columns_[1]),
-            frame_.value(row, columns_[2])};
-  }
-
- private:
-  const DumpFrame &frame_;
-  std::array<std::size_t, 3> columns_{};
-  bool any_ = false;
-};
-
-double component(const Vec3 &a, int d) { return d == 0 ? a.x : d == 1 ? a.y : a.z; }
 
 // The same place in a periodic box.
 double wrapped(double x, const std::array<double, 2> &bounds)
@@ -100,7 +71,7 @@ std::vector<RodKind> rod_kinds(const DumpFrame &frame, const std::vector<Rod> &r
                                const SphereCount &count, std::optional<double> density)
 {
   std::optional<std::size_t> column;
-  if (!density) column = need_column(frame, "density", "it or --density");
+  if (!density) column = need_column(frame, "density", "--density");
   std::vector<RodKind> kinds;
   for (std::size_t row = 0; row < rods.size(); ++row) {
     const Rod &rod = rods[row];
@@ -112,9 +83,11 @@ std::vector<RodKind> rod_kinds(const DumpFrame &frame, const std::vector<Rod> &r
     if (!(rho > 0.0)) fail(fmt::format("density is {}, wanted a number > 0", rho));
     if (rod.is_sphere()) fail("it is a sphere, wanted rods longer than they are thick");
     const double radius = rod.capsule.radius, half_length = rod.capsule.segment.half_length;
+    // Of one kind but for the dump's roundings.
+    const auto is_near = [](double a, double b) { return std::abs(a - b) <= length_rounding * b; };
     auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const RodKind &k) {
-      return k.type == rod.type && k.radius == radius && k.half_length == half_length &&
-             k.density == rho;
+      return k.type == rod.type && is_near(radius, k.radius) &&
+             is_near(half_length + radius, k.half_length + k.radius) && is_near(rho, k.density);
     });
     if (kind == kinds.end()) {
       const int n = count.of(rod.capsule);
@@ -161,11 +134,11 @@ std::string box_commands(const BoxBounds &box, const std::array<bool, 3> &period
     bounds += fmt::format(" {} {}", box[d][0], box[d][1]);
   }
   std::string text;
-  if (kinds.size() == 1)
-    text = fmt::format("variable rod_mass index {}\n", mass_of(kinds[0]).mass);
-  return text + fmt::format("variable types index {}\nboundary{}\nregion box block{} units box\n"
-                            "create_box ${{types}} box\n",
-                            types, flags, bounds);
+  if (kinds.size() == 1) text = fmt::format("variable rod_mass index {}\n", mass_of(kinds[0]).mass);
+  return text + fmt::format(
+                    "variable types index {}\nboundary{}\nregion box block{} units box\n"
+                    "create_box ${{types}} box\n",
+                    types, flags, bounds);
 }
 
 std::string template_file(const RodKind &kind)
@@ -191,7 +164,8 @@ std::string body_commands(const DumpFrame &frame, const std::vector<Rod> &rods,
                    "inertia_tensor {8} 0 0 {8} 0 {9} use_density type {0}\n"
                    "fix rods{0} all particledistribution/discrete {10} 1 rod_template{0} 1.0\n",
                    k + 1, template_seed, kind.type, kind.density, kind.spheres, volume_tries,
-                   template_paths[k], p.mass, p.inertia_transverse, p.inertia_axial, distribution_seed);
+                   template_paths[k], p.mass, p.inertia_transverse, p.inertia_axial,
+                   distribution_seed);
   }
 
   double largest = 0.0;
@@ -202,37 +176,41 @@ std::string body_commands(const DumpFrame &frame, const std::vector<Rod> &rods,
   const VectorColumns omega(frame, {"omegax", "omegay", "omegaz"});
   std::array<std::size_t, 4> quaternion;  // rods_of has found them
   for (int i = 0; i < 4; ++i) quaternion[i] = *frame.find_column(fmt::format("quat{}", i + 1));
+  // The host numbers bodies as they come: rods numbered 1, 2, 3 ... keep their ids.
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // row, kind
   for (std::size_t k = 0; k < kinds.size(); ++k)
-    for (const std::size_t row : kinds[k].rods) {
-      const Vec3 &centre = rods[row].capsule.segment.centre;
-      std::string bounds;
-      for (int d = 0; d < 3; ++d) {
-        double x = component(centre, d);
-        if (frame.periodic[d]) x = wrapped(x, box[d]);
-        // Half the width below, but not out of a box whose face it lies on.
-        const double low = std::clamp(x - 0.5 * width, box[d][0], box[d][1] - width);
-        bounds += fmt::format(" {} {}", low, low + width);
-      }
-      const Quaternion q =
-          normalized({frame.value(row, quaternion[0]), frame.value(row, quaternion[1]),
-                      frame.value(row, quaternion[2]), frame.value(row, quaternion[3])});
-      const Vec3 v = velocity.of(row), w = omega.of(row);
-      fmt::format_to(out,
-                     "region rod{0} block{1} units box volume_limit 1e-300\n"
-                     "fix rod{0} all insert/pack seed {2} distributiontemplate rods{3} insert_every "
-                     "once verbose no overlapcheck no all_in no orientation constant {4} {5} {6} {7} "
-                     "vel constant {8} {9} {10} omega constant {11} {12} {13} region rod{0} ntry_mc "
-                     "1001 particles_in_region 1\n",
-                     rods[row].id, bounds, insertion_seed, k + 1, q.w, q.x, q.y, q.z, v.x, v.y, v.z,
-                     w.x, w.y, w.z);
+    for (const std::size_t row : kinds[k].rods) order.emplace_back(row, k);
+  std::sort(order.begin(), order.end(),
+            [&](const auto &a, const auto &b) { return rods[a.first].id < rods[b.first].id; });
+  for (const auto &[row, k] : order) {
+    const Vec3 &centre = rods[row].capsule.segment.centre;
+    std::string bounds;
+    for (int d = 0; d < 3; ++d) {
+      double x = component(centre, d);
+      if (frame.periodic[d]) x = wrapped(x, box[d]);
+      // Half the width below, but not out of a box whose face it lies on.
+      const double low = std::clamp(x - 0.5 * width, box[d][0], box[d][1] - width);
+      bounds += fmt::format(" {} {}", low, low + width);
     }
+    const Quaternion q =
+        normalized({frame.value(row, quaternion[0]), frame.value(row, quaternion[1]),
+                    frame.value(row, quaternion[2]), frame.value(row, quaternion[3])});
+    const Vec3 v = velocity.of(row), w = omega.of(row);
+    fmt::format_to(out,
+                   "region rod{0} block{1} units box volume_limit 1e-300\n"
+                   "fix rod{0} all insert/pack seed {2} distributiontemplate rods{3} insert_every "
+                   "once verbose no overlapcheck no all_in no orientation constant {4} {5} {6} {7} "
+                   "vel constant {8} {9} {10} omega constant {11} {12} {13} region rod{0} ntry_mc "
+                   "1001 particles_in_region 1\n",
+                   rods[row].id, bounds, insertion_seed, k + 1, q.w, q.x, q.y, q.z, v.x, v.y, v.z,
+                   w.x, w.y, w.z);
+  }
   fmt::format_to(out,
                  "variable rods_step equal dt\nvariable rods_step equal ${{rods_step}}\n"
                  "variable rods_moment equal 1e-15*${{rods_step}}\ntimestep ${{rods_moment}}\n"
                  "run 1 post no\ntimestep ${{rods_step}}\n");
-  for (const RodKind &kind : kinds)
-    for (const std::size_t row : kind.rods)
-      fmt::format_to(out, "unfix rod{0}\nregion rod{0} delete\n", rods[row].id);
+  for (const auto &[row, k] : order)
+    fmt::format_to(out, "unfix rod{0}\nregion rod{0} delete\n", rods[row].id);
   for (std::size_t k = 0; k < kinds.size(); ++k)
     fmt::format_to(out, "unfix rods{0}\nunfix rod_template{0}\n", k + 1);
   fmt::format_to(out, "variable rods_step delete\nvariable rods_moment delete\n");

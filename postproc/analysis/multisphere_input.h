@@ -34,9 +34,9 @@ struct RodKind {
   std::vector<std::size_t> rods;  // rows
 };
 
-// The kinds in the order of their first rods. `density` (kg/m^3) is that of all rods; without it the
-// dump's column `density` is read. Throws InputError for rods without a density or without length,
-// and for more spheres than a template can hold.
+// The kinds in the order of their first rods. `density` (kg/m^3) is that of all rods; without it
+// the dump's column `density` is read. Throws InputError for rods without a density or without
+// length, and for more spheres than a template can hold.
 std::vector<RodKind> rod_kinds(const DumpFrame &frame, const std::vector<Rod> &rods,
                                const SphereCount &count, std::optional<double> density);
 
@@ -48,8 +48,8 @@ using BoxBounds = std::array<std::array<double, 2>, 3>;  // m
 BoxBounds multisphere_box(const DumpFrame &frame, const std::vector<Rod> &rods,
                           std::optional<double> margin);
 
-// `boundary`, the box as a region and create_box, with as many types as the rods have unless the deck
-// has set the variable `types`; the variable `rod_mass` (kg) if all rods are of one kind.
+// `boundary`, the box as a region and create_box, with as many types as the rods have unless the
+// deck has set the variable `types`; the variable `rod_mass` (kg) if all rods are of one kind.
 std::string box_commands(const BoxBounds &box, const std::array<bool, 3> &periodic,
                          const std::vector<RodKind> &kinds);
 

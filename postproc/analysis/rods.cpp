@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/frame_columns.h"
 #include "analysis/input_error.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
@@ -15,54 +16,9 @@
 namespace spherocylinder {
 namespace {
 
-std::size_t need_column(const DumpFrame &frame, std::string_view name)
-{
-  if (const auto column = frame.find_column(name)) return *column;
-  throw InputError(
-      fmt::format("{}:{}: column '{}' is missing", frame.path, frame.header_line, name));
-}
-
-// One coordinate of the centre: value = offset + scale * column.
-struct Coordinate {
-  std::size_t column;
-  double offset, scale;
-};
-
-Coordinate find_coordinate(const DumpFrame &frame, int direction)
-{
-  const std::string plain(1, "xyz"[direction]);
-  for (const auto &name : {plain, plain + "u"})
-    if (const auto column = frame.find_column(name)) return {*column, 0.0, 1.0};
-  for (const auto &name : {plain + "s", plain + "su"}) {
-    const auto column = frame.find_column(name);
-    if (!column) continue;
-    if (frame.box_is_tilted)
-      throw InputError(fmt::format("{}:{}: column '{}' scaled by a tilted box, wanted '{}'",
-                                   frame.path, frame.header_line, name, plain));
-    const auto [low, high] = frame.box[direction];
-    return {*column, low, high - low};
-  }
-  return {need_column(frame, plain), 0.0, 1.0};
-}
-
-// Decimal digits that tell the number from all others, zeros at either end left out.
-int significant_digits(double number)
-{
-  const std::string text = fmt::format("{}", std::abs(number));
-  std::string digits;
-  for (const char c : text.substr(0, text.find('e')))
-    if (c != '.') digits += c;
-  const auto first = digits.find_first_not_of('0');
-  if (first == std::string::npos) return 0;
-  return static_cast<int>(digits.find_last_not_of('0') - first) + 1;
-}
-
 // What is larger is no rod; volumes and grids would overflow.
 constexpr double largest_size = 1e6;  // radius (m)
 constexpr double largest_aspect_ratio = 1e6;
-constexpr double largest_place = 1e9;  // m
-
-constexpr int least_digits = 6;  // LIGGGHTS's own
 
 // Half a unit in the last of so many digits of a number.
 double half_last_digit(int digits, double number)
@@ -77,7 +33,7 @@ class RodColumns {
       : frame_(frame),
         id_(need_column(frame, "id")),
         type_(frame.find_column("type")),
-        centre_{find_coordinate(frame, 0), find_coordinate(frame, 1), find_coordinate(frame, 2)},
+        centre_(frame),
         shapex_(need_column(frame, "shapex")),
         shapey_(frame.find_column("shapey")),
         shapez_(need_column(frame, "shapez")),
@@ -89,15 +45,17 @@ class RodColumns {
   std::vector<double> place_roundings(const std::vector<Rod> &rods) const
   {
     int digits = least_digits, quaternion_digits = least_digits;
-    for (const Coordinate &c : centre_) digits = std::max(digits, digits_of(c.column));
+    for (int d = 0; d < 3; ++d)
+      digits = std::max(digits, digits_of_column(frame_, centre_.column(d)));
     for (const std::size_t column : quaternion_)
-      quaternion_digits = std::max(quaternion_digits, digits_of(column));
+      quaternion_digits = std::max(quaternion_digits, digits_of_column(frame_, column));
     const double turn = 4.0 * half_last_digit(quaternion_digits, 0.5);
     std::vector<double> roundings;
     for (std::size_t row = 0; row < rods.size(); ++row) {
       double place = 0.0;
-      for (const Coordinate &c : centre_)
-        place = std::max(place, c.scale * half_last_digit(digits, frame_.value(row, c.column)));
+      for (int d = 0; d < 3; ++d)
+        place = std::max(place, centre_.scale(d) * half_last_digit(digits, frame_.value(
+                                                       row, centre_.column(d))));
       roundings.push_back(std::sqrt(3.0) * place + turn * rods[row].capsule.segment.half_length);
     }
     return roundings;
@@ -115,15 +73,6 @@ class RodColumns {
   }
 
  private:
-  int digits_of(std::size_t column) const
-  {
-    constexpr std::size_t rows_looked_at = 1000;
-    int digits = 0;
-    for (std::size_t row = 0; row < std::min(frame_.rows, rows_looked_at); ++row)
-      digits = std::max(digits, significant_digits(frame_.value(row, column)));
-    return digits;
-  }
-
   int type(std::size_t row) const
   {
     constexpr double largest_type = 1e6;
@@ -135,8 +84,7 @@ class RodColumns {
 
   double coordinate(std::size_t row, int direction) const
   {
-    const Coordinate &c = centre_[direction];
-    const double x = c.offset + c.scale * frame_.value(row, c.column);
+    const double x = centre_.of(row, direction);
     if (!(std::abs(x) < largest_place))
       fail(row, fmt::format("{} is {:g} m, wanted less than {:g} m", "xyz"[direction], x,
                             largest_place));
@@ -180,7 +128,7 @@ class RodColumns {
   const DumpFrame &frame_;
   std::size_t id_;
   std::optional<std::size_t> type_;
-  std::array<Coordinate, 3> centre_;
+  PlaceColumns centre_;
   std::size_t shapex_;
   std::optional<std::size_t> shapey_;
   std::size_t shapez_;

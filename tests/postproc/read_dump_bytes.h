@@ -13,6 +13,7 @@
 #include "analysis/contact_forces.h"
 #include "analysis/csv_table.h"
 #include "analysis/dump_reader.h"
+#include "analysis/glued_rods.h"
 #include "analysis/input_error.h"
 #include "analysis/rods.h"
 
@@ -74,6 +75,22 @@ inline std::string read_dump_bytes(const std::string &path)
   });
 }
 
+// The same of a dump of glued spheres.
+inline std::string read_sphere_bytes(const std::string &path)
+{
+  return sentence_of(path, [&] {
+    DumpReader reader(path);
+    DumpFrame frame;
+    while (reader.next(frame)) {
+      for (const GluedRod &glued : glued_rods(frame, {})) {
+        need_sound(glued.rod);
+        promise(glued.spheres >= 2 && glued.deviation <= GluedRodOptions{}.tolerance, "a rod");
+        promise(glued.least_spacing <= glued.largest_spacing, "spacings");
+      }
+    }
+  });
+}
+
 // The same of a dump of contact forces beside a dump of the rods 1 to 3 at step 0.
 inline std::string read_local_bytes(const std::string &path, LocalKind kind)
 {
@@ -102,6 +119,7 @@ inline std::string read_csv_bytes(const std::string &path)
 inline void read_bytes(const std::string &path)
 {
   read_dump_bytes(path);
+  read_sphere_bytes(path);
   read_local_bytes(path, LocalKind::pairs);
   read_local_bytes(path, LocalKind::walls);
   read_csv_bytes(path);

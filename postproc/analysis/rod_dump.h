@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The capsules of glued rods as a dump of true ones, which every post-processor reads.
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "analysis/dump_frame.h"
+#include "analysis/glued_rods.h"
+#include "analysis/output_file.h"
+
+namespace spherocylinder {
+
+class RodDump {
+ public:
+  explicit RodDump(const std::string &path);  // throws InputError if it cannot be written
+
+  // A frame as `dump custom` writes it: id type x y z shapex shapey shapez quat1..4, vx vy vz and
+  // omegax omegay omegaz if `frame` has velocities, and of each rod spheres, deviation and spacing
+  // (largest). Places are named as in `frame`, but for scaled ones. Numbers have the digits of
+  // `frame`, so that what is worked out from their roundings holds. A capsule's quaternion is the
+  // shortest turn: its spheres do not tell how far it has turned about its axis.
+  void add(const DumpFrame &frame, const std::vector<GluedRod> &rods);
+
+  void close();  // throws InputError if it did not reach the disk
+
+ private:
+  OutputFile output_;
+  std::ofstream file_;
+};
+
+}  // namespace spherocylinder
