@@ -30,6 +30,9 @@ constexpr int volume_tries = 1000;
 // numbers in it are still different ones.
 constexpr double point_width = 1e-13;
 
+// Of the deck's time step: the step of the insertion.
+constexpr double moment = 1e-15;
+
 double component(const Vec3 &a, int d)
 {
   return d == 0 ? a.x : d == 1 ? a.y : a.z;
@@ -205,15 +208,20 @@ std::string body_commands(const DumpFrame &frame, const std::vector<Rod> &rods,
                    rods[row].id, bounds, insertion_seed, k + 1, q.w, q.x, q.y, q.z, v.x, v.y, v.z,
                    w.x, w.y, w.z);
   }
+  // Insertion takes a step, so it is one in which nothing moves, and which is not counted. A
+  // variable keeps its value through substitution, not as a formula.
   fmt::format_to(out,
-                 "variable rods_step equal dt\nvariable rods_step equal ${{rods_step}}\n"
-                 "variable rods_moment equal 1e-15*${{rods_step}}\ntimestep ${{rods_moment}}\n"
-                 "run 1 post no\ntimestep ${{rods_step}}\n");
+                 "variable rods_dt equal dt\nvariable rods_dt equal ${{rods_dt}}\n"
+                 "variable rods_now equal step\nvariable rods_now equal ${{rods_now}}\n"
+                 "variable rods_moment equal {}*${{rods_dt}}\ntimestep ${{rods_moment}}\n"
+                 "run 1 post no\ntimestep ${{rods_dt}}\nreset_timestep ${{rods_now}}\n",
+                 moment);
   for (const auto &[row, k] : order)
     fmt::format_to(out, "unfix rod{0}\nregion rod{0} delete\n", rods[row].id);
   for (std::size_t k = 0; k < kinds.size(); ++k)
     fmt::format_to(out, "unfix rods{0}\nunfix rod_template{0}\n", k + 1);
-  fmt::format_to(out, "variable rods_step delete\nvariable rods_moment delete\n");
+  fmt::format_to(
+      out, "variable rods_dt delete\nvariable rods_now delete\nvariable rods_moment delete\n");
   return fmt::to_string(text);
 }
 
