@@ -35,6 +35,7 @@
 #include "styles/fix_move_spherocylinder.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
+#include "styles/fix_rest_spherocylinder.h"
 #include "styles/fix_wall_gran_spherocylinder.h"
 #include "styles/read_data_spherocylinder.h"
 #include "styles/replicate_rods.h"
@@ -143,6 +144,7 @@ void add_styles(LAMMPS *lmp)
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
+#include "styles/fix_rest_spherocylinder.h"
 #undef FixStyle
 #undef FIX_CLASS
   fixes["buoyancy"] = &create_fix_for<FixBuoyancySpherocylinder, FixBuoyancy>;
@@ -194,7 +196,7 @@ const char *banner()
   return "Sphero-cylinders for LIGGGHTS " SPHEROCYLINDER_VERSION
          ": atom_style spherocylinder, surface spherocylinder, model linear, "
          "fix nve/spherocylinder limit/omega check/timestep/spherocylinder "
-         "particletemplate/spherocylinder balance, command balance, "
+         "particletemplate/spherocylinder rest/spherocylinder balance, command balance, "
          "compute erotate/spherocylinder contact/spherocylinder\n";
 }
 
