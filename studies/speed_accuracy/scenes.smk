@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# The scenes: each is swept with both codes, two sweeps side by side, then what came out best is timed
+# again, alone on the machine and in turns.
+import shlex
+
+SWEEP = [str(HERE / name) for name in ("sweep.py", "codes.py", "scenes.py", "rods.py")]
+SCENE_DECKS = {"rods": [str(HERE / "in.rods_scene")],
+               "spheres": [str(HERE / "in.spheres_place"), str(HERE / "in.spheres_scene")]}
+SCENE_NAMES = listed("scenes")
+SCENE_ASPECTS = [f"{float(value):g}" for value in listed("lambdas")]
+SCENE_ROWS = str(RESULTS / "scenes.csv")
+
+
+def sweep_options(code):
+    """The options of sweep.py for a code that config.yaml gives."""
+    words = ["--code", code, "--build", BUILD, "--seed", config["seed"], "--copies", config["copies"],
+             "--spheres", config["spheres"], "--most-work", config[f"{code}_work"]]
+    for option, name in (("--spacings", "spacings"), ("--stiffnesses", f"{code}_stiffnesses"),
+                         ("--fractions", f"{code}_fractions")):
+        words += [option, *listed(name)]
+    return shlex.join(map(str, words))
+
+
+wildcard_constraints:
+    scene="[a-z_]+",
+    aspect="[0-9.]+",
+    code="rods|spheres",
+
+
+if not KEPT:
+
+    rule scene_sweep:
+        input:
+            SWEEP,
+            lambda wildcards: SCENE_DECKS[wildcards.code],
+            PLUGIN,
+        output: "scenes/{scene}_{aspect}_{code}.csv"
+        log: "logs/scene_{scene}_{aspect}_{code}.log"
+        params:
+            options=lambda wildcards: sweep_options(wildcards.code),
+        shell:
+            "/usr/bin/python3 {HERE}/sweep.py run {wildcards.scene} {wildcards.aspect} {params.options} "
+            "--work scenes/{wildcards.scene}_{wildcards.aspect}_{wildcards.code} --out {output} "
+            ">{log} 2>&1"
+
+    rule scene_timing:
+        input:
+            rows=["scenes/{scene}_{aspect}_rods.csv", "scenes/{scene}_{aspect}_spheres.csv"],
+        output: "scenes/{scene}_{aspect}_timed.csv"
+        log: "logs/scene_{scene}_{aspect}_timed.log"
+        threads: workflow.cores
+        resources: timing=1
+        params:
+            options=lambda wildcards: sweep_options("rods"),
+        shell:
+            "/usr/bin/python3 {HERE}/sweep.py time {wildcards.scene} {wildcards.aspect} {input.rows} "
+            "{params.options} --turns {config[turns]} "
+            "--work scenes/{wildcards.scene}_{wildcards.aspect}_timed --out {output} >{log} 2>&1"
+
+    rule scene_rows:
+        input:
+            expand("scenes/{scene}_{aspect}_timed.csv", scene=SCENE_NAMES, aspect=SCENE_ASPECTS),
+        output: SCENE_ROWS
+        run:
+            rows.collect(input, output[0])
