@@ -216,7 +216,7 @@ def note(axes, table: pandas.DataFrame) -> None:
               bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1.5})
 
 
-def legend_of(figure, aspects: list[float], rules: set[str]) -> None:
+def legend_of(figure, rules: set[str]) -> None:
     from matplotlib.lines import Line2D
     entries = []
     names = {"spread": "rods, spread contact", "single": "rods, single contact"}
@@ -254,7 +254,7 @@ def chart(rows: pandas.DataFrame, scene: str, quantity: str, stem: Path | str) -
     for k in range(columns):
         axes[-1][k].set_xlabel(cost_label(scene), fontsize=8)
     figure.suptitle(f"{title_of(scene)}", fontsize=10)
-    legend_of(figure, aspects, set(part["rule"]))
+    legend_of(figure, set(part["rule"]))
     plots.save(figure, stem)
 
 
@@ -290,9 +290,15 @@ def combined(rows: pandas.DataFrame, aspect: float, stem: Path | str) -> None:
         panel.tick_params(labelsize=6.5)
     for panel in axes.flat[len(charts):]:
         panel.set_axis_off()
-    figure.supxlabel("cost: core seconds a simulated second and copy (beds: until rest)", fontsize=8)
-    figure.supylabel("error", fontsize=8)
-    legend_of(figure, [aspect], set(rows["rule"]))
+    for panel in axes[:, 0]:
+        panel.set_ylabel("error", fontsize=7.5)
+    for k in range(columns):
+        below = [line[k] for line in axes if line[k].axison]
+        if below:
+            below[-1].set_xlabel("core seconds a simulated second"
+                                 if not is_bed(charts[-1][0]) or len(below) == 1
+                                 else "core seconds", fontsize=7.5)
+    legend_of(figure, set(rows["rule"]))
     plots.save(figure, stem)
 
 

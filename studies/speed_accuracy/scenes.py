@@ -11,7 +11,7 @@ from typing import Callable
 
 import numpy as np
 
-from studies.speed_accuracy.rods import (DIAMETER, RADIUS, Properties, angular_momentum, damping_ratio, free_axis,
+from studies.speed_accuracy.rods import (DENSITY, DIAMETER, RADIUS, Properties, angular_momentum, damping_ratio, free_axis,
                   inverse_mass, properties, segment_distance)
 
 GRAVITY = 9.81
@@ -33,7 +33,8 @@ class Scene:
     aspect: float
     start: State
     duration: float                # s
-    errors: Callable[[State], dict[str, np.ndarray]]  # quantity: what each copy misses, relative
+    # Quantity: what each copy (the gas: each frame) misses, relative; of the frames, the last at the end.
+    errors: Callable[[list[State]], dict[str, np.ndarray]]
     restitution: float = 0.5
     friction: list[float] | None = None  # of the atom types of rods that move; None: frictionless
     types: np.ndarray | None = None      # of the rods that move, from 1
@@ -50,6 +51,8 @@ class Scene:
     skin: float = 0.5              # of the peer's lists, diameters
     stiff: bool = True             # whether the stiffness matters
     pairs: bool = False            # whether rods that move touch each other
+    frames: int = 1                # read during the run
+    period: float = 0.0            # of a periodic cube about the origin, m; 0: none
 
     @property
     def rod(self) -> Properties:
@@ -93,19 +96,28 @@ def energy_norm(rod: Properties, velocity: np.ndarray, momentum: np.ndarray) -> 
                    + np.sum(momentum**2, axis=-1) / rod.across)
 
 
+def kinetic_energy(rod: Properties, state: State) -> np.ndarray:
+    """Of each rod."""
+    along = np.sum(state.momentum * state.axis, axis=1)
+    return 0.5 * (rod.mass * np.sum(state.velocity**2, axis=1)
+                  + (np.sum(state.momentum**2, axis=1) - along**2) / rod.across
+                  + along**2 / rod.axial)
+
+
 def relative(missed: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     return missed / np.sqrt(np.mean(wanted**2))
 
 
 def impulse_errors(rod: Properties, start: State, velocity: np.ndarray, momentum: np.ndarray,
-                   copy: np.ndarray | None = None) -> Callable[[State], dict[str, np.ndarray]]:
+                   copy: np.ndarray | None = None) -> Callable[[list[State]], dict[str, np.ndarray]]:
     """Errors of the changes of velocity and angular momentum by an impact, as one number."""
     copy = np.arange(len(velocity)) if copy is None else copy
 
     def a_copy(values):
         return np.sqrt(np.bincount(copy, values**2))
 
-    def errors(end: State) -> dict[str, np.ndarray]:
+    def errors(frames: list[State]) -> dict[str, np.ndarray]:
+        end = frames[-1]
         missed = energy_norm(rod, end.velocity - start.velocity - velocity,
                              end.momentum - start.momentum - momentum)
         return {"impulse": relative(a_copy(missed), a_copy(energy_norm(rod, velocity, momentum)))}
@@ -307,7 +319,8 @@ def row(aspect: float, copies: int, rng: np.random.Generator) -> Scene:
 
 def coulomb_errors(start: State, acceleration: float, frictional: float, duration: float):
     """Of the speed gained along x, over that which friction takes."""
-    def errors(end: State) -> dict[str, np.ndarray]:
+    def errors(frames: list[State]) -> dict[str, np.ndarray]:
+        end = frames[-1]
         gained = end.velocity[:, 0] - start.velocity[:, 0]
         return {"friction": np.abs(gained - acceleration * duration) / (frictional * duration)}
     return errors
@@ -373,7 +386,8 @@ def incline(aspect: float, copies: int, rng: np.random.Generator) -> Scene:
     place[:, 2] = RADIUS
     start = resting(np.tile([1.0, 0, 0], (copies, 1)), np.zeros((copies, 3)), place)
 
-    def errors(end: State) -> dict[str, np.ndarray]:
+    def errors(frames: list[State]) -> dict[str, np.ndarray]:
+        end = frames[-1]
         return {"speed": np.abs(end.velocity[:, 0] - wanted) / free}
     return Scene(aspect, start, duration, errors, friction=friction, types=types, floor=True,
                  gravity=GRAVITY * np.array([np.sin(slope), 0, -np.cos(slope)]), copies=copies,
@@ -396,7 +410,8 @@ def rolling(aspect: float, copies: int, rng: np.random.Generator) -> Scene:
     start = resting(np.tile([1.0, 0, 0], (copies, 1)), speed[:, None] * [0, 1, 0], place)
     lost = speed * kappa / (1.0 + kappa)
 
-    def errors(end: State) -> dict[str, np.ndarray]:
+    def errors(frames: list[State]) -> dict[str, np.ndarray]:
+        end = frames[-1]
         missed = start.velocity[:, 1] - end.velocity[:, 1] - lost
         return {"speed": relative(np.abs(missed), lost)}
     return Scene(aspect, start, duration, errors, friction=[mu],
@@ -424,7 +439,8 @@ def spin_down(aspect: float, copies: int, rng: np.random.Generator) -> Scene:
     start = resting(np.tile([1.0, 0, 0], (copies, 1)), np.zeros((copies, 3)), place)
     start.momentum = rod.across * spin[:, None] * UP
 
-    def errors(end: State) -> dict[str, np.ndarray]:
+    def errors(frames: list[State]) -> dict[str, np.ndarray]:
+        end = frames[-1]
         turned = np.abs(np.arctan2(end.axis[:, 1] * np.sign(end.axis[:, 0]),
                                    np.abs(end.axis[:, 0])))
         return {"angle": relative(np.abs(turned - angle), angle)}
@@ -454,23 +470,59 @@ def precession(aspect: float, copies: int, rng: np.random.Generator) -> Scene:
     start = State(place, np.zeros((copies, 3)), momentum, axis)
     wanted = free_axis(rod, axis, momentum, duration)
 
-    def energy(state: State) -> np.ndarray:
-        along = np.sum(state.momentum * state.axis, axis=1)
-        return 0.5 * ((np.sum(state.momentum**2, axis=1) - along**2) / rod.across
-                      + along**2 / rod.axial)
-
-    def errors(end: State) -> dict[str, np.ndarray]:
+    def errors(frames: list[State]) -> dict[str, np.ndarray]:
+        end = frames[-1]
         # The sign of a measured axis may be lost: the turn is told to half a turn at best.
         sine = np.linalg.norm(np.cross(end.axis, wanted), axis=1)
         phase = np.arctan2(sine, np.sum(end.axis * wanted, axis=1)) / (2.0 * np.pi)
-        return {"phase": phase, "energy": np.abs(energy(end) / energy(start) - 1.0)}
+        return {"phase": phase, "energy": np.abs(kinetic_energy(rod, end) / kinetic_energy(rod, start) - 1.0)}
     return Scene(aspect, start, duration, errors, copies=copies, nominal_mass=0.5 * rod.mass,
                  mean_mass=0.5 * rod.mass, least_mass=end_mass(rod, 2), stiff=False)
 
 
+def separate(aspect: float, count: int, period: float, rng: np.random.Generator) -> State:
+    """Rods at random places and of random directions that do not touch, in a periodic cube of twice
+    their length or more."""
+    half = 0.5 * (aspect - 1.0) * DIAMETER
+    places, axes = np.zeros((0, 3)), np.zeros((0, 3))
+    while len(places) < count:
+        place, axis = rng.uniform(-0.5, 0.5, 3) * period, unit(rng.normal(size=3))
+        between = place - places
+        between -= period * np.round(between / period)
+        gap = segment_distance(between, np.broadcast_to(axis, between.shape), half, 0 * between, axes,
+                               half)
+        free = np.all(gap > 1.05 * DIAMETER)
+        if free:
+            places, axes = np.vstack([places, place]), np.vstack([axes, axis])
+    return resting(axes, np.zeros_like(places), places)
+
+
+def gas(aspect: float, copies: int, rng: np.random.Generator) -> Scene:
+    """An elastic frictionless gas, 5 % of the volume solid, of rods that do not turn at first and
+    meet three times each or so. Hard rods keep their energy of motion; soft ones lend it to the
+    springs of the rods that touch."""
+    rod, solid = properties(aspect), 0.05
+    number = solid * DENSITY / rod.mass  # a volume
+    copies = max(copies, int(np.ceil(number * (2.0 * rod.length) ** 3)))
+    period = (copies / number) ** (1 / 3)
+    start = separate(aspect, copies, period, rng)
+    start.velocity = rng.normal(scale=3**-0.5, size=(copies, 3))
+    start.velocity -= start.velocity.mean(axis=0)
+    # A rod sweeps about its mean width πDL/4 + ... twice over.
+    rate = number * np.sqrt(2.0) * np.pi / 2.0 * DIAMETER * (rod.length + DIAMETER)
+    before = 0.5 * rod.mass * np.sum(start.velocity**2)
+
+    def errors(frames: list[State]) -> dict[str, np.ndarray]:
+        energy = np.array([np.sum(kinetic_energy(rod, f)) for f in frames])
+        return {"energy": np.abs(energy / before - 1.0)}
+    return Scene(aspect, start, 3.0 / rate, errors, 1.0, copies=copies, nominal_mass=0.5 * rod.mass,
+                 mean_mass=0.5 * rod.mass, least_mass=end_mass(rod, 2), pairs=True, frames=20,
+                 period=period)
+
+
 SCENES = {"wall": wall, "crossed": crossed, "flat": flat, "parallel": parallel, "row": row,
           "slide_along": slide_along, "slide_across": slide_across, "incline": incline,
-          "rolling": rolling, "spin_down": spin_down, "precession": precession}
+          "rolling": rolling, "spin_down": spin_down, "precession": precession, "gas": gas}
 
 
 def omega_of(rod: Properties, state: State) -> np.ndarray:

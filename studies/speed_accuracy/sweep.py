@@ -47,6 +47,8 @@ def copies_of(variant: Variant, given: argparse.Namespace) -> int:
     """Fewer where a copy has many spheres, and where it is free: the cost is that of one copy."""
     if given.scene == "precession":
         return min(22, given.copies)
+    if given.scene == "gas":
+        return given.copies
     if variant.code == "rods":
         return given.copies
     least = min(22, given.copies)  # of each type of `incline` two
@@ -65,7 +67,7 @@ def case_of(scene: Scene, variant: Variant, stiffness: float, fraction: float) -
     contacts = scene.contacts(variant.n) if variant.code == "spheres" else 1.0
     total = k if variant.rule == "adapted" else k * contacts
     step = fraction * 2.0 * np.sqrt(scene.least_mass / total)
-    steps = int(np.ceil(scene.duration / step))
+    steps = scene.frames * int(np.ceil(scene.duration / step / scene.frames))
     share = share_of(scene, variant)
     mass = scene.mean_mass if variant.rule == "adapted" else scene.nominal_mass
     damping = codes.contact_damping(scene, k, mass)
@@ -109,7 +111,7 @@ def rows_of(scene: Scene, name: str, variant: Variant, fraction: float, case: co
         return [row | nothing | {"quantity": ""} | more | {"ended": outcome}]
     cost = outcome.seconds / scene.duration / scene.copies
     result = []
-    for quantity, errors in scene.errors(outcome.end).items():
+    for quantity, errors in scene.errors(outcome.frames).items():
         if not np.all(np.isfinite(errors)):
             result.append(row | nothing | {"quantity": quantity} | more | {"ended": "no number"})
             continue

@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""studies/speed_accuracy: the scenes' answers against other ways to them, charts and summary, and the
+smallest run of the graph."""
+import numpy as np
+import pandas
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.optimize import minimize
+
+from studies.common.rows import read_rows
+from studies.speed_accuracy import chart, codes, rods, scenes, sweep
+
+RNG = np.random.default_rng
+
+
+# --- Rods. ---------------------------------------------------------------------------------------
+
+# Mass and moments of inertia by summing thin discs along the axis.
+@pytest.mark.parametrize("aspect", [1.0, 3.0, 30.0])
+def test_mass_properties_against_slices(aspect):
+    rod = rods.properties(aspect)
+    half = 0.5 * rod.length
+    edges = np.linspace(-half, half, 400_001)
+    z, dz = 0.5 * (edges[1:] + edges[:-1]), edges[1] - edges[0]
+    beyond = np.maximum(0.0, np.abs(z) - 0.5 * rod.height)
+    r2 = rods.RADIUS**2 - beyond**2
+    mass = rods.DENSITY * np.pi * r2 * dz
+    assert rod.mass == pytest.approx(mass.sum(), rel=1e-8)
+    assert rod.axial == pytest.approx(np.sum(mass * r2 / 2), rel=1e-8)
+    assert rod.across == pytest.approx(np.sum(mass * (r2 / 4 + z**2)), rel=1e-8)
+
+
+# Euler's equations of a symmetric top, solved with small steps.
+def test_free_axis_against_eulers_equations():
+    rod = rods.properties(3.0)
+    axis = np.array([0.6, 0.0, 0.8])
+    momentum = rod.across * np.array([3.0, -20.0, 11.0])
+
+    def slope(_, u):
+        return np.cross(momentum / rod.across, u)  # the part of omega along u does not turn it
+
+    slow = solve_ivp(slope, (0.0, 0.7), axis, rtol=1e-11, atol=1e-13).y[:, -1]
+    assert rods.free_axis(rod, axis, momentum, 0.7) == pytest.approx(slow, abs=1e-8)
+
+
+def test_segment_distance_against_a_search():
+    rng = RNG(3)
+    for _ in range(40):
+        a, b = scenes.unit(rng.normal(size=(2, 3)))
+        centre, half_a, half_b = rng.normal(size=3), 0.8, 0.5
+
+        def gap(st):
+            return np.linalg.norm(centre + st[0] * a - st[1] * b)
+
+        slow = min(minimize(gap, start, bounds=[(-half_a, half_a), (-half_b, half_b)],
+                            tol=1e-12).fun for start in ([0, 0], [-0.5, 0.3], [0.5, -0.3]))
+        fast = rods.segment_distance(centre, a, half_a, np.zeros(3), b, half_b)
+        assert fast == pytest.approx(slow, abs=1e-6)
+
+
+def test_quaternion_takes_z_to_the_axis():
+    axis = scenes.unit(np.vstack([RNG(1).normal(size=(20, 3)), [[0, 0, 1], [0, 0, -1]]]))
+    w, x, y, z = rods.quaternion(axis).T
+    got = np.stack([2 * (x * z + w * y), 2 * (y * z - w * x), w**2 - x**2 - y**2 + z**2], axis=1)
+    assert got == pytest.approx(axis, abs=1e-12)
+
+
+# --- Answers of the scenes: each by another way. -------------------------------------------------
+
+def wanted_changes(scene):
+    """What impulse_errors was given, found by its own zero: the errors are linear in the change."""
+    cells = scene.errors.__closure__
+    names = scene.errors.__code__.co_freevars
+    values = dict(zip(names, (cell.cell_contents for cell in cells)))
+    return values["velocity"], values["momentum"]
+
+
+# The point that hits parts with e times its speed, along the normal; energy falls as
+# (1 - e²) m_eff v²/2.
+def test_wall_restitution_of_the_end():
+    scene = scenes.build("wall", 10.0, 30, 7)
+    rod, start = scene.rod, scene.start
+    velocity, momentum = wanted_changes(scene)
+    arm = -0.5 * rod.height * start.axis
+    arm *= np.sign(start.axis[:, 2:])
+    omega = momentum / rod.across  # at right angles to the axis
+    before = start.velocity[:, 2]
+    after = before + velocity[:, 2] + np.cross(omega, arm)[:, 2]
+    assert after == pytest.approx(-0.5 * before, rel=1e-12)
+
+
+# Momentum and angular momentum about the origin are kept, and the points part with e.
+def test_crossed_rods_keep_momentum():
+    scene = scenes.build("crossed", 5.0, 20, 7)
+    rod, start = scene.rod, scene.start
+    velocity, momentum = (c.reshape(20, 2, 3) for c in wanted_changes(scene))
+    assert velocity.sum(axis=1) == pytest.approx(0.0, abs=1e-15)
+    direction = scenes.unit(velocity[:, 0])
+    speed = np.sum(start.velocity.reshape(20, 2, 3)[:, 0] * direction, axis=1)  # < 0: approach
+    # The arms, from the torque a × n J, which has no part along the axis.
+    change = 0.0
+    for k in (0, 1):
+        impulse = rod.mass * velocity[:, k]
+        omega = momentum[:, k] / rod.across
+        axis = start.axis.reshape(20, 2, 3)[:, k]
+        normal = scenes.unit(impulse)
+        lever = np.sum(momentum[:, k] * np.cross(axis, normal), axis=1) \
+            / np.linalg.norm(impulse, axis=1)
+        point = velocity[:, k] + np.cross(omega, lever[:, None] * axis)
+        change += (1 if k == 0 else -1) * np.sum(point * direction, axis=1)
+    assert speed + change == pytest.approx(-0.5 * speed, rel=1e-9)
+
+
+# One support under the centre: reversed; two far apart, symmetric: reversed without spin; one at x:
+# v' = v (m x² - I)/(m x² + I) in a central impact of m_eff.
+def test_elastic_supports():
+    rod = rods.properties(10.0)
+    assert scenes.elastic_supports(rod, np.array([0.0]), 1.0) == pytest.approx((1.0, 0.0), abs=2e-3)
+    assert scenes.elastic_supports(rod, np.array([-0.03, 0.03]), 1.0) == pytest.approx((1.0, 0.0),
+                                                                                      abs=2e-3)
+    x = 0.02
+    effective = 1.0 / (1.0 / rod.mass + x**2 / rod.across)
+    v, rate = scenes.elastic_supports(rod, np.array([x]), 1.0)
+    assert v == pytest.approx(-1.0 + 2.0 * effective / rod.mass, abs=2e-3)
+    assert rate == pytest.approx(2.0 * effective * x / rod.across, rel=2e-3)
+
+
+# Energy after several supports, of which none is known in closed form.
+def test_elastic_supports_keep_energy():
+    rod = rods.properties(10.0)
+    v, rate = scenes.elastic_supports(rod, np.array([-0.01, 0.005, 0.02, 0.035]), 1.0)
+    assert v**2 + rod.across / rod.mass * rate**2 == pytest.approx(1.0, rel=1e-4)
+
+
+# Turning on two crossing rods: the equation of motion with small steps.
+def test_spin_down_angle():
+    scene = scenes.build("spin_down", 10.0, 3, 7)
+    rod, mu, x = scene.rod, 0.2, 0.3 * scene.rod.height
+    for spin in scene.start.momentum[:, 2] / rod.across:
+        angle, dt = 0.0, 1e-5
+        while spin > 0:
+            spin -= dt * mu * rod.mass * 9.81 * x / np.cos(angle) / rod.across
+            angle += dt * spin
+        end = scenes.State(scene.start.position, 0 * scene.start.velocity, 0 * scene.start.momentum,
+                           np.tile([np.cos(angle), np.sin(angle), 0.0], (3, 1)))
+        assert np.min(scene.errors([end])["angle"]) < 1e-3
+
+
+# Rolling: friction slows the centre and turns the rod until the surfaces move alike.
+def test_rolling_speed():
+    scene = scenes.build("rolling", 10.0, 4, 7)
+    rod, dt, mu = scene.rod, 1e-5, 0.5
+    final = []
+    for speed in scene.start.velocity[:, 1]:
+        spin = 0.0
+        while speed > spin * rods.RADIUS:
+            speed -= dt * mu * 9.81
+            spin += dt * mu * rod.mass * 9.81 * rods.RADIUS / rod.axial
+        final.append(speed)
+    end = scenes.State(scene.start.position, np.array(final)[:, None] * [0, 1, 0],
+                       scene.start.momentum, scene.start.axis)
+    assert np.max(scene.errors([end])["speed"]) < 1e-3
+
+
+# A wedge of half angle a presses with m g cos b/sin a: the sides' forces, summed.
+def test_groove_load():
+    scene = scenes.build("slide_along", 10.0, 4, 7)
+    fixed = scene.fixed_position.reshape(2, 4, 3)
+    normals = scenes.unit((scene.start.position - fixed) * [0, 1, 1])
+    load = np.linalg.solve(normals[:, 0, 1:].T, [0.0, -scene.gravity[2]])
+    gain = (scene.gravity[0] - 0.2 * load.sum()) * scene.duration
+    end = scenes.State(scene.start.position, scene.start.velocity + gain * np.array([1.0, 0, 0]),
+                       scene.start.momentum, scene.start.axis)
+    assert np.max(scene.errors([end])["friction"]) < 1e-12
+
+
+@pytest.mark.parametrize("name", sorted(scenes.SCENES))
+@pytest.mark.parametrize("aspect", [3.0, 30.0])
+def test_rods_of_a_scene_do_not_touch_at_first(name, aspect):
+    scene = scenes.build(name, aspect, 23, 11)
+    rod, start = scene.rod, scene.start
+    centre = np.concatenate([start.position, scene.fixed_position])
+    axis = np.concatenate([start.axis, scene.fixed_axis])
+    half = np.concatenate([np.full(len(start.position), 0.5 * rod.height),
+                           np.full(len(scene.fixed_position), 0.5 * scene.fixed_length - rods.RADIUS)])
+    for k in range(len(start.position)):
+        others = np.arange(len(centre)) != k
+        gap = rods.segment_distance(centre[k], axis[k], half[k], centre[others], axis[others],
+                                    half[others])
+        assert np.all(gap > rods.DIAMETER * (1 - 1e-9)), k
+    if scene.floor:
+        assert np.all(start.position[:, 2] - 0.5 * rod.height * np.abs(start.axis[:, 2])
+                      > rods.RADIUS * (1 - 1e-9))
+
+
+def test_a_scene_is_the_same_each_time_and_other_for_another_seed():
+    a, b, c = (scenes.build("crossed", 5.0, 4, seed).start.position for seed in (1, 1, 2))
+    assert np.array_equal(a, b) and not np.array_equal(a, c)
+
+
+# --- Sweep. --------------------------------------------------------------------------------------
+
+def test_spheres_of_a_rod():
+    assert [sweep.spheres_of(10, s) for s in (2, 1, 0.5, 0.25)] == [10, 19, 37, 73]
+    places = codes.sphere_places(0.1, 0.01)
+    assert places[0] == pytest.approx(-0.045) and places[-1] == pytest.approx(0.045)
+
+
+# m x'' = -k x - c x' parts with e at zero force of the spring.
+def test_damping_of_a_contact_gives_the_restitution():
+    scene = scenes.build("flat", 10.0, 2, 1)
+    k, m = 1e5, scene.rod.mass
+    c, _ = codes.contact_damping(scene, k, m)
+
+    def parted(_, y):
+        return y[0]
+    parted.terminal, parted.direction = True, 1.0
+    end = solve_ivp(lambda _, y: [y[1], (-k * y[0] - c * y[1]) / m], (0, 1), [-1e-12, -1.0],
+                    events=parted, rtol=1e-10, atol=1e-14).y_events[0][0]
+    assert end[1] == pytest.approx(0.5, rel=1e-6)
+
+
+# --- Charts and summary. -------------------------------------------------------------------------
+
+def row(method, cost, error, n=0, rule="spread", scene="wall", aspect=10.0, quantity="impulse"):
+    return {"scene": scene, "lambda": aspect, "method": method, "n": n, "rule": rule,
+            "stiffness": 1.0, "time_step_over_limit": 0.1, "cost": cost, "cost_min": 0.9 * cost,
+            "cost_max": 1.1 * cost, "error": error, "error_low": 0.9 * error,
+            "error_high": 1.1 * error, "quantity": quantity}
+
+
+@pytest.fixture
+def some():
+    return pandas.DataFrame([
+        row("rods", 1.0, 0.08), row("rods", 2.0, 0.02), row("rods", 9.0, 0.002),
+        row("multisphere", 4.0, 0.09, 10, "nominal"), row("multisphere", 8.0, 0.02, 19, "adapted"),
+        row("multisphere", 5.0, 0.05, 10, "adapted"), row("multisphere", 1e-3, 7.0, 10, "nominal"),
+        row("rods", 3.0, 0.2, scene="flat"), row("multisphere", 2.0, 0.05, 10, scene="flat"),
+        row("rods", 3.0, 0.05, scene="bed"), row("multisphere", 30.0, 0.05, 10, scene="bed")])
+
+
+def test_summary(some):
+    table = chart.summary(some)
+    wall = table[table["scene"] == "wall"]
+    assert list(wall["error"]) == [0.10, 0.03, 0.01, 0.003]
+    assert list(wall["rods_are_cheaper"][:2]) == [4.0, 4.0]
+    assert wall["rods_are_cheaper"][2:].isna().all()
+    assert list(wall["multisphere_n"]) == [10, 19, 0, 0]
+    assert list(wall["cheapest"]) == ["rods"] * 4
+    assert wall["multisphere_least_error"].iloc[0] == 0.02
+    assert list(map(chart.words, wall.to_dict("records"))) == [
+        "rods 4 × (n = 10)", "rods 4 × (n = 19)", "only rods", "only rods"]
+    flat = table[table["scene"] == "flat"].to_dict("records")
+    assert [chart.words(r) for r in flat] == ["only spheres, n = 10", "neither", "neither",
+                                              "neither"]
+    assert list(table[table["scene"] == "bed"]["error"]) == [0.10, 0.03]
+
+
+def test_summary_where_spheres_are_cheaper():
+    table = chart.summary(pandas.DataFrame([row("rods", 4.0, 0.05), row("multisphere", 2.0, 0.05, 5)]))
+    assert chart.words(table.iloc[0]) == "spheres, n = 5, 2 ×"
+
+
+def test_charts_are_the_same_each_time(some, tmp_path):
+    for k in (1, 2):
+        chart.chart(some[some["scene"] == "wall"], "wall", "impulse", tmp_path / f"a{k}")
+    for ending in ("png", "svg"):
+        one, two = ((tmp_path / f"a{k}.{ending}").read_bytes() for k in (1, 2))
+        assert one == two and len(one) > 1000
+
+
+@pytest.mark.parametrize("value,text", [(0.1, "10"), (0.003, "0.3"), (0.0123, "1.2"), (0.5, "50")])
+def test_percent(value, text):
+    assert chart.percent(value) == text
+
+
+# --- The graph, in its smallest run. -------------------------------------------------------------
+
+def test_smallest_run(study, tmp_path):
+    done = study("speed_accuracy", "smoke=1")
+    assert done.returncode == 0, done.stdout
+    results = tmp_path / "results"
+    rows = read_rows(results / "scenes.csv")
+    good = rows[rows["ended"].fillna("") == ""]
+    assert set(good["method"]) == {"rods", "multisphere"}
+    # What any run shows: rods precess to round-off, and do not stumble over rods they slide on.
+    exact = good[(good["method"] == "rods") & (good["scene"] == "precession")]
+    assert exact["error"].max() < 1e-9
+    sliding = good[good["scene"] == "slide_across"].groupby("method")["error"].min()
+    assert sliding["rods"] < 0.01 < 0.1 < sliding["multisphere"]
+    for name in ("README.md", "summary.csv", "speed_accuracy.svg", "wall_impulse.png"):
+        assert (results / name).exists()
