@@ -57,6 +57,7 @@ class Bodies {
             frame, options.body,
             options.body == "mol" ? "--body with another that tells bodies apart" : "")),
         type_(frame.find_column("type")),
+        density_(frame.find_column("density")),
         place_(frame),
         radius_(find_radius(frame)),
         velocity_(frame, {"vx", "vy", "vz"}),
@@ -123,7 +124,8 @@ class Bodies {
     if (rows.size() < 2) fail(first, "it has 1 sphere, wanted at least 2");
     const double r = radius(first);
     if (!(r > 0.0 && r < largest_radius))
-      fail(first, fmt::format("a radius is {}, wanted a number > 0, below {:g}", r, largest_radius));
+      fail(first,
+           fmt::format("a radius is {}, wanted a number > 0, below {:g}", r, largest_radius));
     for (const std::size_t row : rows)
       if (std::abs(radius(row) - r) > length_rounding * r)
         fail(row, fmt::format("its spheres have the radii {} and {}, wanted one", r, radius(row)));
@@ -166,6 +168,7 @@ class Bodies {
     return {{static_cast<std::int64_t>(body(first)), type(first), capsule},
             velocity_.are_there() ? velocity : Vec3{0.0, 0.0, 0.0},
             omega,
+            density_ ? value(first, *density_) : 0.0,
             spheres.size(),
             deviation,
             least,
@@ -275,7 +278,7 @@ class Bodies {
   const DumpFrame &frame_;
   const GluedRodOptions &options_;
   std::size_t id_, body_;
-  std::optional<std::size_t> type_;
+  std::optional<std::size_t> type_, density_;
   PlaceColumns place_;
   std::size_t radius_;
   VectorColumns velocity_, omega_;

@@ -17,8 +17,9 @@ struct GluedRod {
   // lowest id to that of highest. The capsule ends in the outermost spheres; its id is the body's,
   // its type that of the sphere of lowest id.
   Rod rod;
-  Vec3 velocity;  // of the capsule's centre (m/s); 0 if the dump has none
-  Vec3 omega;     // rad/s; the same
+  Vec3 velocity;   // of the capsule's centre (m/s); 0 if the dump has none
+  Vec3 omega;      // rad/s; the same
+  double density;  // that of the sphere of lowest id (kg/m^3); 0 if the dump has none
   std::size_t spheres;
   double deviation;  // of a sphere's centre from the axis, the largest, in radii
   double least_spacing, largest_spacing;  // of neighbours along the axis, in radii
@@ -30,7 +31,7 @@ struct GluedRodOptions {
 };
 
 // The bodies of a frame, by their numbers. Needs id, the body's column, places and radius (or
-// diameter); type, velocities and omegas may be there.
+// diameter); type, velocities, omegas and density may be there.
 //
 // Bodies that lie across periodic boundaries are put together image by image, each sphere at the
 // image nearest to one that is placed already; scaled and plain places give a centre inside the

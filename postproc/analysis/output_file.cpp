@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -142,6 +143,16 @@ void OutputFile::finish()
   if (working_path_ != path_) fs::rename(working_path_, target_, error);
   if (error) throw InputError(fmt::format("{}: could not be written: {}", path_, error.message()));
   leave();
+}
+
+void write_file(const std::string &path, const std::string &text)
+{
+  OutputFile output(path);
+  std::ofstream file(output.working_path());
+  file << text;
+  file.close();
+  if (!file) throw InputError(fmt::format("{}: could not be written to its end", path));
+  output.finish();
 }
 
 void note_input(const std::string &path)

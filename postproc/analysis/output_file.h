@@ -32,6 +32,9 @@ class OutputFile {
   bool open_ = true;
 };
 
+// A file that holds this text. Throws InputError if not all of it reached the disk.
+void write_file(const std::string &path, const std::string &text);
+
 // Says that this run reads a file. Throws InputError if it writes the same one.
 void note_input(const std::string &path);
 

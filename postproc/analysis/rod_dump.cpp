@@ -13,6 +13,8 @@
 namespace spherocylinder {
 namespace {
 
+constexpr int all_digits = 17;  // of a double
+
 int digits_of(const DumpFrame &frame, std::initializer_list<const char *> names)
 {
   int digits = least_digits;
@@ -54,8 +56,10 @@ void RodDump::add(const DumpFrame &frame, const std::vector<GluedRod> &rods)
   }
   const bool moves = frame.find_column("vx") || frame.find_column("omegax");
   const int motion_digits = digits_of(frame, {"vx", "vy", "vz", "omegax", "omegay", "omegaz"});
-  fmt::format_to(out, " shapex shapey shapez quat1 quat2 quat3 quat4{} spheres deviation spacing\n",
-                 moves ? " vx vy vz omegax omegay omegaz" : "");
+  const bool weighs = frame.find_column("density").has_value();
+  fmt::format_to(out,
+                 " shapex shapey shapez quat1 quat2 quat3 quat4{}{} spheres deviation spacing\n",
+                 moves ? " vx vy vz omegax omegay omegaz" : "", weighs ? " density" : "");
   for (const GluedRod &g : rods) {
     const Segment &s = g.rod.capsule.segment;
     const double r = g.rod.capsule.radius;
@@ -69,9 +73,45 @@ void RodDump::add(const DumpFrame &frame, const std::vector<GluedRod> &rods)
       put(text, g.velocity, motion_digits);
       put(text, g.omega, motion_digits);
     }
+    if (weighs) fmt::format_to(out, " {}", g.density);
     fmt::format_to(out, " {} {:.4g} {:.6g}\n", g.spheres, g.deviation, g.largest_spacing);
   }
   file_.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+std::string rod_data_file(const DumpFrame &frame, const std::vector<GluedRod> &rods,
+                          std::optional<double> density)
+{
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  int types = 1;
+  for (const GluedRod &g : rods) types = std::max(types, g.rod.type);
+  fmt::format_to(out, "Rods of {}, step {}\n\n{} atoms\n{} atom types\n\n", frame.path, frame.step,
+                 rods.size(), types);
+  for (int d = 0; d < 3; ++d)
+    fmt::format_to(out, "{0} {1} {2}lo {2}hi\n", frame.box[d][0], frame.box[d][1], "xyz"[d]);
+  fmt::format_to(out, "\nAtoms\n\n");
+  for (const GluedRod &g : rods) {
+    const Capsule &c = g.rod.capsule;
+    const double rho = density.value_or(g.density);
+    if (!(rho > 0.0))
+      throw InputError(
+          fmt::format("{}: step {}: rod {} has no density, wanted --density or a "
+                      "column 'density' of numbers > 0",
+                      frame.path, frame.step, g.rod.id));
+    fmt::format_to(out, "{} {} {} {} {}", g.rod.id, g.rod.type, 2.0 * c.radius, c.length(), rho);
+    put(text, c.segment.centre, all_digits);
+    put(text, c.segment.axis, all_digits);
+    text.push_back('\n');
+  }
+  fmt::format_to(out, "\nVelocities\n\n");
+  for (const GluedRod &g : rods) {
+    fmt::format_to(out, "{}", g.rod.id);
+    put(text, g.velocity, all_digits);
+    put(text, g.omega, all_digits);
+    text.push_back('\n');
+  }
+  return fmt::to_string(text);
 }
 
 void RodDump::close()

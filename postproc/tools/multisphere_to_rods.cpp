@@ -3,6 +3,7 @@
 // docs/multisphere_to_rods.md
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "analysis/frame_choice.h"
 #include "analysis/glued_rods.h"
 #include "analysis/input_error.h"
+#include "analysis/output_file.h"
 #include "analysis/rod_dump.h"
 
 using namespace spherocylinder;
@@ -22,7 +24,8 @@ namespace {
 struct Options {
   InputOptions input{"", "all"};
   GluedRodOptions bodies;
-  std::string out, csv;
+  std::string out, csv, data;
+  std::optional<double> density;
 };
 
 // How far the bodies of one or more frames are from straight rods of evenly placed spheres.
@@ -62,12 +65,14 @@ void run(const Options &options)
   CsvFile csv(options.csv,
               {"step", "bodies", "spheres_min", "spheres_max", "deviation_radii", "worst_body",
                "spacing_min_radii", "spacing_max_radii", "lambda_min", "lambda_max"});
+  std::string data;
   Straightness whole;
   std::size_t frames = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
     ++frames;
     const std::vector<GluedRod> rods = glued_rods(frame, options.bodies);
     dump.add(frame, rods);
+    if (!options.data.empty()) data = rod_data_file(frame, rods, options.density);
     Straightness now;
     for (const GluedRod &rod : rods) {
       now.add(rod, frame.step);
@@ -84,6 +89,7 @@ void run(const Options &options)
         fmt::format("{}: no step holds any spheres, wanted at least one", options.input.dump));
   dump.close();
   csv.close();
+  if (!options.data.empty()) write_file(options.data, data);
   fmt::print("{} frames, {} rods in them: {}\n", frames, whole.bodies, options.out);
   fmt::print("  spheres a rod          {}\n", range(static_cast<double>(whole.least_spheres),
                                                     static_cast<double>(whole.most_spheres)));
@@ -113,6 +119,13 @@ int main(int argc, char **argv)
                  "radii that a sphere may lie off the axis, and a gap between spheres may be wide")
       ->check(number_between(0.0, 1e6))
       ->capture_default_str();
+  CLI::Option *data =
+      app.add_option("--data", options.data,
+                     "write the last of the frames to this file, for the plug-in's read_data");
+  app.add_option("--density", options.density,
+                 "of the rods in it (kg/m^3); else the dump's column `density`")
+      ->needs(data)
+      ->check(positive_number());
   app.add_option("--csv", options.csv,
                  "write how straight the rods are, a line a frame, to this file");
   return run_tool(app, argc, argv, [&] { run(options); });

@@ -36,14 +36,23 @@ bool is_runnable(const Block &block)
   return block.language == "liggghts" || block.language == "sh";
 }
 
-bool is_of_a_tool(const ManualPage &page) { return page.name.rfind("rod_", 0) == 0; }
+bool is_of_a_tool(const ManualPage &page)
+{
+  return page.name.rfind("rod_", 0) == 0 || page.name == "rods_to_multisphere" ||
+         page.name == "multisphere_to_rods";
+}
+
+bool is_of_a_style(const ManualPage &page)
+{
+  return page.name != "README" && page.name != "with_liggghts" &&
+         page.name != "from_multisphere" && !is_of_a_tool(page);
+}
 
 std::vector<ManualPage> style_pages()
 {
   std::vector<ManualPage> pages;
   for (const ManualPage &page : read_manual())
-    if (page.name != "README" && page.name != "with_liggghts" && !is_of_a_tool(page))
-      pages.push_back(page);
+    if (is_of_a_style(page)) pages.push_back(page);
   return pages;
 }
 
@@ -102,7 +111,8 @@ TEST_P(ManualExample, Runs)
       << "tests/docs/decks wants a file " << surroundings << " for the examples of this page";
   const std::string program =
       is_deck ? std::string(LMP_PROGRAM) + " -in " + surroundings
-              : "LMP=" LMP_PROGRAM " LIBRARY=" SPHEROCYLINDER_LIBRARY " sh -e " + surroundings;
+              : "LMP=" LMP_PROGRAM " LIBRARY=" SPHEROCYLINDER_LIBRARY
+                " PROJECT=" DOCS_FOLDER "/.. sh -e " + surroundings;
   const std::string command = "cd " + folder.string() + " && export " + kEnvironment +
                               " && timeout " + std::to_string(kTimeLimit) +
                               (is_deck ? " " : " env ") + program + " > output 2>&1";

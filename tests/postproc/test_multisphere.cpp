@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "analysis/input_error.h"
 #include "analysis/multisphere_input.h"
 #include "core/rotation.h"
+#include "page_examples.h"
 #include "scratch_folder.h"
 #include "test_bed.h"
 
@@ -384,6 +386,65 @@ TEST_F(Multisphere, RodsComeBackFromStockLiggghts)
     EXPECT_EQ(run(tool), 0) << out_;
 }
 
+TEST_F(Multisphere, ExamplesOfThePages)
+{
+  const auto rods = random_rods(5);
+  const std::string spheres = sphere_dump(rods, {{40}, {}}, "", false);
+  write("spheres.dump", spheres);
+  write("fibres.dump", std::string(spheres).replace(spheres.find(" mol "), 5, " f_fibre "));
+  write("bed.dump", dump_text({{1, 1, {{{0, 0, 1}, {0, 0, 1}, 0.045}, 0.005}}}, 0));
+  write("pour.dump", dump_text({{1, 1, {{{0, 0, 1}, {1, 0, 0}, 0.045}, 0.005}}}, 500));
+  for (const std::string tool : {"rods_to_multisphere", "multisphere_to_rods"}) {
+    const auto commands = examples_of_page(PROJECT_FOLDER "/docs/" + tool + ".md", tool);
+    EXPECT_EQ(commands.size(), 3u);
+    for (const std::string &command : commands) EXPECT_EQ(run(command), 0) << command << out_;
+    EXPECT_EQ(run(tool + " --help"), 0);
+    EXPECT_NE(out_.find("Example: " + tool + " "), std::string::npos) << out_;
+  }
+  // lambda = 10, spheres r apart and r/2.
+  const auto lines = [&](const std::string &name) {
+    const std::string text = read(name);
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  EXPECT_EQ(lines("bed.spheres"), 19);
+  EXPECT_EQ(lines("pour.spheres"), 37);
+}
+
+// The data file holds what the dump does, for read_data.
+TEST_F(Multisphere, DataFileOfTheRods)
+{
+  const auto rods = random_rods(4);
+  write("spheres.dump", sphere_dump(rods, {{40}, {}}, "u", true));
+  ASSERT_EQ(run("multisphere_to_rods spheres.dump --out r.dump --data r.data --density 2500"), 0);
+  std::istringstream data(read("r.data"));
+  std::string line;
+  while (std::getline(data, line) && line != "Atoms") continue;
+  for (const MovingRod &m : rods) {
+    const Capsule &c = m.rod.capsule;
+    int id, type;
+    double diameter, length, density;
+    Vec3 x, u;
+    data >> id >> type >> diameter >> length >> density >> x.x >> x.y >> x.z >> u.x >> u.y >> u.z;
+    EXPECT_EQ(id, m.rod.id);
+    EXPECT_EQ(type, m.rod.type);
+    EXPECT_NEAR(diameter, 2.0 * c.radius, 1e-15);
+    EXPECT_NEAR(length, c.length(), 1e-13);
+    EXPECT_EQ(density, 2500.0);
+    EXPECT_LT(distance(x, c.segment.centre), 1e-13);
+    EXPECT_LT(distance(u, c.segment.axis), 1e-13);
+  }
+  data >> line;
+  EXPECT_EQ(line, "Velocities");
+  for (const MovingRod &m : rods) {
+    int id;
+    Vec3 v, w;
+    data >> id >> v.x >> v.y >> v.z >> w.x >> w.y >> w.z;
+    EXPECT_EQ(id, m.rod.id);
+    EXPECT_LT(distance(v, m.velocity), 1e-13);
+    EXPECT_LT(distance(w, m.omega), 1e-12);
+  }
+}
+
 // Six digits stay six: what rod_contacts calls doubtful follows from them.
 TEST_F(Multisphere, DigitsStay)
 {
@@ -425,6 +486,8 @@ TEST_F(Multisphere, ProgramsSayWhatIsWrong)
   expect(back + "spheres.dump --out spheres.dump", "is written by this run");
   expect(back + "spheres.dump --out out.dump --body id", "it has 1 sphere, wanted at least 2");
   expect(back + "bed.dump --out out.dump", "column 'mol' is missing");
+  expect(back + "spheres.dump --out out.dump --data out.data", "has no density, wanted --density");
+  expect(back + "spheres.dump --out out.dump --density 1", "--density requires --data");
   expect(back + "spheres.dump --out out.dump --tolerance -1",
          "--tolerance: must be a number from 0");
   EXPECT_FALSE(std::filesystem::exists(folder() / "out.dump"));

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "page_examples.h"
 #include "scratch_folder.h"
 #include "test_bed.h"
 
@@ -146,22 +147,9 @@ class Programs : public ScratchFolder {
     return {number(16), number(20)};
   }
 
-  // The commands of a page's section "Examples".
-  std::vector<std::string> examples(const std::string &page)
-  {
-    std::ifstream file(docs + "/" + page);
-    std::vector<std::string> commands;
-    bool in_section = false;
-    for (std::string line; std::getline(file, line);) {
-      if (line.rfind("## ", 0) == 0) in_section = line == "## Examples";
-      if (in_section && line.rfind("rod_", 0) == 0) commands.push_back(line);
-    }
-    return commands;
-  }
-
   void expect_examples_run(const std::string &page)
   {
-    const auto commands = examples(page);
+    const auto commands = examples_of_page(docs + "/" + page, "rod_");
     EXPECT_GE(commands.size(), 2u);
     for (const std::string &command : commands) {
       EXPECT_EQ(run(command), 0) << command << "\n" << error_;
