@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Settled beds: poured and settled until they rest by both codes from the same poses, a job a bed,
+# measured by the same programs.
+from types import SimpleNamespace
+
+from studies.common import settling
+from studies.speed_accuracy import beds
+
+BED_DECK = str(HERE / "in.bed_spheres")
+BED_RUNS = str(RESULTS / "bed_runs.csv")
+BED_ROWS = str(RESULTS / "beds.csv")
+BED_ASPECTS = [f"{float(value):g}" for value in listed("bed_lambdas")]
+
+
+def bed_jobs():
+    """Names of all beds, those of most worth for their time first."""
+    seeds = listed("bed_seeds")
+    rods = [config["bed_reference"], *(config["bed_rods"] or [])]
+    names = [f"rods_{c['rule']}_k{c['stiffness']:g}_f{c['fraction']:g}" for c in rods]
+    names += [f"spheres_{c['spacing']:g}r_c{c['contacts']:g}_f{c['fraction']:g}"
+              for c in config["bed_spheres"] or []]
+    wanted = [int(c["seeds"]) for c in rods + list(config["bed_spheres"] or [])]
+    return [f"{aspect}_{name}_s{seed}" for k, seed in enumerate(seeds) for aspect in BED_ASPECTS
+            for name, count in zip(names, wanted) if k < count]
+
+
+wildcard_constraints:
+    bed_aspect="[0-9.]+",
+    bed_seed="[0-9]+",
+    stiffness="[0-9.]+",
+    fraction="[0-9.]+",
+    rule="spread|single",
+
+
+if not KEPT:
+
+    rule bed_of_rods:
+        input: settling.DECKS, PLUGIN
+        output: "beds/{bed_aspect}_rods_{rule}_k{stiffness}_f{fraction}_s{bed_seed}.csv"
+        run:
+            w = SimpleNamespace(**wildcards)
+            beds.rods(output[0], float(w.bed_aspect), int(w.bed_seed), w.rule, float(w.stiffness),
+                      float(w.fraction), float(config["bed_time"]), int(config["bed_number"]), BUILD)
+
+    rule bed_of_spheres:
+        input: settling.DECKS, settling.LAW, BED_DECK
+        output: "beds/{bed_aspect}_spheres_{spacing}r_c{contacts}_f{fraction}_s{bed_seed}.csv"
+        run:
+            w = SimpleNamespace(**wildcards)
+            beds.spheres(output[0], float(w.bed_aspect), int(w.bed_seed), float(w.spacing),
+                         float(w.contacts), float(w.fraction), float(config["bed_time"]),
+                         int(config["bed_number"]), BED_DECK, BUILD)
+
+    # Beds that are there, so that a run that was stopped can be charted: --config beds_there=1.
+    rule bed_runs:
+        input: [] if truth("beds_there") else expand("beds/{job}.csv", job=bed_jobs())
+        output: BED_RUNS
+        run:
+            there = [f"beds/{job}.csv" for job in bed_jobs() if Path(f"beds/{job}.csv").exists()]
+            if not there:
+                refuse("no bed has been made yet")
+            rows.collect(there, output[0], by=["lambda", "method", "n", "rule", "stiffness",
+                                               "time_step_over_limit", "seed"])
+
+
+rule bed_rows:
+    input: BED_RUNS
+    output: BED_ROWS
+    run:
+        rows.write_rows(output[0], beds.charted(rows.read_rows(input[0]), config["bed_reference"]))
