@@ -134,6 +134,16 @@ def read_log(path: Path | str) -> list[pandas.DataFrame]:
     return tables
 
 
+def last_table(path: Path | str, names: list[str]) -> pandas.DataFrame:
+    """The last table of a log, which must have these columns."""
+    table = read_log(path)[-1]
+    for name in names:
+        if name not in table:
+            raise CaseError(f"{path} has no column {name} (its columns are: "
+                            f"{' '.join(table.columns)})")
+    return table
+
+
 def unlike(names: list[str]) -> list[str]:
     seen: dict[str, int] = {}
     result = []
@@ -154,7 +164,7 @@ def run_tool(name: str, *arguments, build: Path | str | None = None) -> str:
                           stdin=subprocess.DEVNULL, capture_output=True)
     if done.returncode != 0:
         lines = (done.stderr.strip() or done.stdout.strip()).splitlines() or ["no output"]
-        raise CaseError(f"{name}: {lines[-1]}")
+        raise CaseError(lines[-1] if lines[-1].startswith(name) else f"{name}: {lines[-1]}")
     return done.stdout
 
 

@@ -10,7 +10,7 @@
 #                  rules that run or measure
 #   config         config.yaml with the values of its section `modes: quick:` or `modes: smoke:` in
 #                  such a run; what is given by --config wins
-# and refuse(sentence). The working folder, to which relative paths belong, is the study's of this
+# and refuse(sentence), stamp(name, sources) for other stamps, need_programs(names). The working folder, to which relative paths belong, is the study's of this
 # mode in build/studies, also that of snakemake's own records.
 import os
 import sys
@@ -49,6 +49,31 @@ def stamp(name, *sources):
         unfinished.write_text(text)
         unfinished.replace(path)
     return str(path)
+
+
+def newest(*folders):
+    files = [path for folder in folders for ending in ("*.h", "*.cpp")
+             for path in (ROOT / folder).rglob(ending)]
+    return max(files, key=lambda path: path.stat().st_mtime)
+
+
+def need_programs(*names):
+    """Refuses a program that is missing or older than what it is made of: a stamp is of sources, a
+    result of programs."""
+    tools = ("postproc/analysis", "postproc/pictures", "src_plugin/core")
+    for name in names:
+        made_of = []
+        if name == "lmp":
+            made_of = [("libspherocylinder.so", newest("src_plugin"))]
+        elif name.startswith("rod_"):
+            folders = tools if name in ("rod_render", "rod_vtk") else tools[::2]
+            made_of = [(name, newest(*folders)), (name, ROOT / f"postproc/tools/{name}.cpp")]
+        for program, source in [(name, None), *made_of]:
+            path = BUILD / program
+            if not path.exists():
+                refuse(f"{path} is not there: scripts/build makes it")
+            if source and source.stat().st_mtime > path.stat().st_mtime:
+                refuse(f"{source.relative_to(ROOT)} is newer than {path}: scripts/build makes it anew")
 
 
 configfile: str(HERE / "config.yaml")

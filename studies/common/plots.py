@@ -5,11 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import matplotlib
+import matplotlib.colors
+import matplotlib.figure
+import matplotlib.style
+import numpy
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-plt.style.use(Path(__file__).with_name("rods.mplstyle"))
+matplotlib.style.use(Path(__file__).with_name("rods.mplstyle"))
 
 # Okabe and Ito (2008): they differ for every kind of colour vision. Yellow is left out: it is too
 # light for lines on white.
@@ -27,14 +28,27 @@ _METADATA = {".png": {"Software": None}, ".svg": {"Date": None, "Creator": None}
 
 def new_figure(width_mm: float = 160, height_mm: float = 110, rows: int = 1, columns: int = 1,
                **options):
-    """Figure and axes (an array if there are several), of the size printed."""
-    return plt.subplots(rows, columns, figsize=(width_mm / 25.4, height_mm / 25.4), **options)
+    """Figure and axes (an array if there are several), of the size printed. Jobs that are threads
+    can draw at once: nothing of a figure is kept by pyplot."""
+    figure = matplotlib.figure.Figure(figsize=(width_mm / 25.4, height_mm / 25.4))
+    return figure, figure.subplots(rows, columns, **options)
+
+
+def errors(values):
+    """For errorbar: None if none of the values is a number, which errorbar does not stand."""
+    values = numpy.asarray(values, dtype=float)
+    return values if numpy.isfinite(values).any() else None
 
 
 def save(figure, stem: Path | str, pdf: bool = False) -> None:
-    """Writes STEM.svg and STEM.png, on request STEM.pdf, and closes the figure."""
+    """Writes STEM.svg and STEM.png, on request STEM.pdf."""
     stem = Path(stem)
     stem.parent.mkdir(parents=True, exist_ok=True)
     for ending in (".svg", ".png") + ((".pdf",) if pdf else ()):
         figure.savefig(stem.with_name(stem.name + ending), metadata=_METADATA[ending])
-    plt.close(figure)
+
+
+def for_letters(colour: str) -> str:
+    """Darker, of the same hue, since letters are thinner than curves."""
+    red, green, blue = (0.6 * part for part in matplotlib.colors.to_rgb(colour))
+    return matplotlib.colors.to_hex((red, green, blue))

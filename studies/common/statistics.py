@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from math import inf, log, nan, sqrt
 
 import numpy
-from scipy import stats
 
 
 def mean_and_error(values) -> tuple[float, float]:
@@ -19,13 +18,19 @@ def mean_and_error(values) -> tuple[float, float]:
     return float(values.mean()), float(values.std(ddof=1) / sqrt(values.size))
 
 
+def student(part: float, freedom: float) -> float:
+    """Student's t below which `part` of its distribution lies."""
+    from scipy import stats  # takes longer to load than most jobs to do
+    return float(stats.t.ppf(part, freedom))
+
+
 def confidence_interval(values, level: float = 0.95) -> tuple[float, float]:
     """Student's interval for the mean of independent values of one normal distribution."""
     values = list(values)
     mean, error = mean_and_error(values)
     if len(values) < 2:
         return -inf, inf
-    width = stats.t.ppf(0.5 + level / 2, len(values) - 1) * error
+    width = student(0.5 + level / 2, len(values) - 1) * error
     return mean - width, mean + width
 
 
@@ -56,7 +61,7 @@ def equivalence(a, b, bound: float, alpha: float = 0.05, paired: bool = False) -
         error = sqrt(va + vb)
         freedom = (va + vb) ** 2 / (va ** 2 / (a.size - 1) + vb ** 2 / (b.size - 1)) \
             if error > 0 else a.size + b.size - 2
-    width = stats.t.ppf(1 - alpha, freedom) * error if error > 0 else 0.0
+    width = student(1 - alpha, freedom) * error if error > 0 else 0.0
     low, high = difference - width, difference + width
     return Equivalence(difference, low, high, bound, bool(-bound < low and high < bound))
 

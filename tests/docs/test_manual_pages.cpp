@@ -179,7 +179,7 @@ TEST_P(AnyPage, LinksLeadSomewhere)
 TEST(ReadMe, LinksLeadSomewhere)
 {
   const fs::path root = fs::path(DOCS_FOLDER).parent_path();
-  for (const char *name : {"README.md", "tests/README.md", "examples/paper/README.md"}) {
+  for (const char *name : {"README.md", "tests/README.md", "studies/README.md", "studies/packing/README.md"}) {
     const fs::path file = root / name;
     ASSERT_TRUE(fs::exists(file)) << file;
     for (const std::string &link : read_page(file).links)

@@ -21,7 +21,7 @@ namespace {
 const std::string programs = PROGRAM_FOLDER;
 const std::string docs = DOCS_FOLDER;
 const std::string tests = POSTPROC_TESTS_FOLDER;
-const std::string literature = docs + "/../examples/paper/literature.csv";
+const std::string literature = docs + "/../studies/packing/literature.csv";
 
 // The first row of a CSV file by column.
 std::map<std::string, double> csv_row(const std::string &text)

@@ -25,7 +25,8 @@ def study(tmp_path):
     tmp_path, results in tmp_path/results; gives snakemake's exit code and output."""
     def run(folder, *settings, targets=(), cores=2):
         folder = ROOT / folder if "/" in folder else ROOT / "studies" / folder
-        command = ["/usr/bin/snakemake", "-s", folder / "Snakefile", "--cores", cores, *targets,
+        command = ["/usr/bin/snakemake", "-s", folder / "Snakefile", "--cores", cores, "--force-use-threads",
+                   *targets,
                    "--config", f"build={PROGRAMS}", f"work={tmp_path}", *settings]
         return subprocess.run([str(word) for word in command], cwd=tmp_path, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

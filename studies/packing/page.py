@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the pages of the study are filled with, all from its CSV files."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas
+
+from studies.common import pages, rows
+from studies.packing import beds as drawing
+from studies.packing import figures, numbers
+
+# Not told as settings: they differ from bed to bed or say nothing of them.
+OF_A_BED = ("lambda", "seed", "vessel_diameter", "rods")
+
+
+def settings(variables: dict, config: dict, shown_seed: str) -> pandas.DataFrame:
+    """The variables of in.rods that all beds share, and what is drawn."""
+    told = {name: value for name, value in variables.items()
+            if name not in OF_A_BED and float(value) != 0}
+    told = {name: f"{float(value):.10g}" for name, value in told.items()}
+    told["snapshots"] = " ".join(f"{float(t):g}" for t in config["snapshots"])
+    for name in ("height_of_snapshots", "height_of_bed", "picture_scale"):
+        told[name] = f"{float(config[name]):g}"
+    told["shown_seed"] = shown_seed
+    return pandas.DataFrame({"variable": list(told), "value": list(told.values())})
+
+
+def words(items, last: str = " and ") -> str:
+    items = [str(item) for item in items]
+    return last.join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else items[0]
+
+
+def percent(parts) -> str:
+    """12, 15 and 19 %"""
+    return words(f"{100 * part:.0f}" for part in parts) + " %"
+
+
+def of_limits(means: pandas.DataFrame, limits: str) -> pandas.DataFrame:
+    return means[means["limits"] == limits].set_index("lambda").sort_index()
+
+
+def findings(beds: pandas.DataFrame, means: pandas.DataFrame) -> dict:
+    """What the beds with the study's limits and with none tell beside each other."""
+    study, none = of_limits(means, "study"), of_limits(means, "none")
+    without = beds[beds["limits"] == "none"]
+    return {
+        "without": len(without),
+        "least_energy": without["energy_J"].min(), "most_energy": without["energy_J"].max(),
+        "lowered_by": percent(1 - study["vf_inner"] / none["vf_inner"]),
+        "steeper_by": (study["mean_elevation_deg"] - none["mean_elevation_deg"]).mean(),
+        "study_below_theory": percent(1 - study["vf_inner"] / study["vf_theory"]),
+        "none_below_theory": percent(1 - none["vf_inner"] / none["vf_theory"]),
+        "none_below_random": percent(1 - none["vf_inner"] / none["vf_expected"]),
+        "aspects": words(f"{a:g}" for a in none.index)}
+
+
+def overlaps(means: pandas.DataFrame) -> dict:
+    return {"least_mean": 100 * means["mean_overlap_over_diameter"].min(),
+            "most_mean": 100 * means["mean_overlap_over_diameter"].max(),
+            "settled": 100 * means["largest_overlap_over_diameter"].max(),
+            "ever": 100 * means["momentary_overlap_over_diameter"].max()}
+
+
+def rows_of_means(means: pandas.DataFrame, full: bool) -> list[list[str]]:
+    """Texts of the table of means: of the README, or with all columns of the HTML page."""
+    def pair(row, name, decimals):
+        return pages.with_error((row[name], row[f"{name}_error"]), decimals)
+    return [[f"{row['lambda']:g}", row["limits"], *([row["beds"]] if full else []),
+             pair(row, "vf_inner", 4), pair(row, "vf_whole", 4), pages.fixed(row["vf_theory"], 4),
+             pair(row, "vf_random_contacts", 4) if full
+             else pages.fixed(row["vf_random_contacts"], 3),
+             pair(row, "mean_elevation_deg", 1), pair(row, "nematic_order", 3),
+             pair(row, "contacts_per_rod", 2),
+             *([pages.fixed(row["largest_overlap_over_diameter"], 4),
+                pages.power(row["energy_J"], 2)] if full else [])]
+            for row in means.to_dict("records")]
+
+
+def rows_of_beds(beds: pandas.DataFrame) -> list[list[str]]:
+    return [[f"{row['lambda']:g}", row["limits"], row["seed"],
+             *(pages.fixed(row[name], decimals) for name, decimals in (
+                 ("vf_inner", 4), ("vf_whole", 4), ("vf_random_contacts", 4),
+                 ("mean_elevation_deg", 2), ("mean_sin_gamma", 4), ("contacts_per_rod", 2),
+                 ("mean_overlap_over_diameter", 5), ("largest_overlap_over_diameter", 4),
+                 ("momentary_overlap_over_diameter", 3))),
+             pages.power(row["energy_J"], 2), row["version"], row["decks"], row["measured_by"]]
+            for row in beds.to_dict("records")]
+
+
+def values(results: Path, literature: Path | str, mode: str) -> dict:
+    beds = numbers.read_beds(results / "beds.csv")
+    means = numbers.packing_means(beds)
+    elevation = numbers.elevation_means(rows.read_rows(results / "elevation.csv"))
+    published = numbers.read_literature(literature)
+    table = rows.read_rows(results / "settings.csv")
+    setting = dict(zip(table["variable"], table["value"].astype(str)))
+    _, left_out = figures.packing_figure(means, published)
+    limits_there = figures.limits_of(means)
+    means["order"] = means["limits"].map(limits_there.index)
+    means = means.sort_values(["lambda", "order"], ignore_index=True)
+    one_of_each = beds.drop_duplicates("lambda")
+    shown = beds[(beds["lambda"] == beds["lambda"].max()) & (beds["limits"] == limits_there[-1]) &
+                 (beds["seed"].astype(str) == setting["shown_seed"])].iloc[0]
+    fewest = means["beds"].min()
+    snapshots = [float(t) for t in setting["snapshots"].split()]
+    top, of_bed, scale = (float(setting[name]) for name in
+                          ("height_of_snapshots", "height_of_bed", "picture_scale"))
+
+    def options(style):
+        return " ".join(map(str, style + drawing.render_options(shown)))
+    both = len(limits_there) == 2
+    return {
+        "title": "Packing of sphero-cylinders of aspect ratio " +
+                 words(f"{a:g}" for a in one_of_each["lambda"]),
+        "mode": mode, "folder": results, "setting": setting,
+        "beds": beds.to_dict("records"), "means": means.to_dict("records"),
+        "limits": limits_there, "name_of": figures.LIMITS,
+        "limit_names": [figures.LIMITS[limits] for limits in limits_there],
+        "aspects": words(f"{a:g}" for a in one_of_each["lambda"]),
+        "rods": words(one_of_each["rods"]),
+        "vessels": words(f"{d:g}" for d in one_of_each["vessel_diameter_m"]),
+        "dt": beds["dt_s"].iloc[0], "time": beds["time_s"].max(),
+        "beds_each": figures.beds_in_words(means["beds"]), "fewest": fewest,
+        "shown": shown.to_dict(), "snapshots": snapshots,
+        "frames": [round(t / shown["dt_s"]) for t in snapshots],
+        "snapshot_options": options(drawing.snapshot_style(top, scale)),
+        "bed_options": options(drawing.bed_style(of_bed, False, scale)),
+        "cut_options": options(drawing.bed_style(of_bed, True, scale)),
+        "rows_of_means": rows_of_means(means, False),
+        "full_rows_of_means": rows_of_means(means, True), "rows_of_beds": rows_of_beds(beds),
+        "isotropic_rods": elevation["isotropic_rods"].min(),
+        "found": findings(beds, means) if both else None, "overlap": overlaps(means),
+        "isotropic_deg": numbers.ISOTROPIC_ELEVATION_DEG, "half_contacts": numbers.HALF_CONTACTS,
+        "horizontal_order": numbers.HORIZONTAL_ORDER,
+        "published": published.to_dict("records"), "left_out": left_out,
+        "versions": words(sorted(beds["version"].unique())),
+        "machines": words(sorted(beds["machine"].unique())),
+        "decks": words(sorted(beds["decks"].unique())),
+        "measured_by": words(sorted(beds["measured_by"].unique()))}
