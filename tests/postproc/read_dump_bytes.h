@@ -11,7 +11,6 @@
 
 #include "analysis/close_pairs.h"
 #include "analysis/contact_forces.h"
-#include "analysis/csv_table.h"
 #include "analysis/dump_reader.h"
 #include "analysis/glued_rods.h"
 #include "analysis/input_error.h"
@@ -106,15 +105,6 @@ inline std::string read_local_bytes(const std::string &path, LocalKind kind)
   });
 }
 
-inline std::string read_csv_bytes(const std::string &path)
-{
-  return sentence_of(path, [&] {
-    const CsvTable table(path);
-    for (std::size_t row = 0; row < table.rows(); ++row)
-      promise(std::isfinite(table.number(row, "lambda")), "a finite number");
-  });
-}
-
 // All that a file may be taken for.
 inline void read_bytes(const std::string &path)
 {
@@ -122,7 +112,6 @@ inline void read_bytes(const std::string &path)
   read_sphere_bytes(path);
   read_local_bytes(path, LocalKind::pairs);
   read_local_bytes(path, LocalKind::walls);
-  read_csv_bytes(path);
 }
 
 }  // namespace spherocylinder

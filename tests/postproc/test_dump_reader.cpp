@@ -407,7 +407,6 @@ TEST_F(DumpReaderTest, FuzzCorpus)
   }
   const std::string corpus = CORPUS_FOLDER;
   EXPECT_EQ(read_local_bytes(corpus + "/local", LocalKind::pairs), "");
-  EXPECT_EQ(read_csv_bytes(corpus + "/table"), "");
   EXPECT_GE(files, 15u);
   EXPECT_GE(good, 6u);  // plain, two_steps, crlf, gzip, tilted, scaled, no_atoms
   EXPECT_GE(files - good, 7u);

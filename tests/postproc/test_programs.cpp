@@ -21,7 +21,6 @@ namespace {
 const std::string programs = PROGRAM_FOLDER;
 const std::string docs = DOCS_FOLDER;
 const std::string tests = POSTPROC_TESTS_FOLDER;
-const std::string literature = docs + "/../studies/packing/literature.csv";
 
 // The first row of a CSV file by column.
 std::map<std::string, double> csv_row(const std::string &text)
@@ -165,7 +164,7 @@ class Programs : public ScratchFolder {
 TEST_F(Programs, HelpShowsAnExample)
 {
   for (const std::string program :
-       {"rod_packing", "rod_orientation", "rod_contacts", "rod_vtk", "rod_render", "rod_plot"}) {
+       {"rod_packing", "rod_orientation", "rod_contacts", "rod_vtk", "rod_render"}) {
     EXPECT_EQ(run(program + " --help"), 0);
     EXPECT_NE(out_.find("Example: " + program + " "), std::string::npos) << out_;
     EXPECT_EQ(error_, "");
@@ -193,46 +192,6 @@ TEST_F(Programs, ExamplesOfThePictures)
   EXPECT_FALSE(std::filesystem::exists(folder() / "pour_0003.png"));
   EXPECT_EQ(png_size("heap_0002.png"), (std::pair{400, 300}));
   EXPECT_EQ(png_size("drum.png"), (std::pair{400, 300}));
-}
-
-TEST_F(Programs, ExamplesOfThePlots)
-{
-  if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
-  std::filesystem::copy(literature, folder() / "literature.csv");
-  expect_examples_run("rod_plot.md");
-  EXPECT_EQ(png_size("packing.png"), (std::pair{2400, 1800}));
-  EXPECT_EQ(png_size("whole.png"), (std::pair{2400, 1800}));
-}
-
-// Where a bed's symbol lies in the SVG file. The axes span x from 105 to 955 (lambda 0 to 40) and,
-// from below, y from 95 to 875 (V_f 0 to 0.8) of 1200 x 900; SVG counts y from above.
-TEST_F(Programs, SymbolsLieWhereTheyShould)
-{
-  if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
-  write("p.csv", "lambda,vf_inner\n10,0.3\n");
-  ASSERT_EQ(run("rod_plot packing p.csv --out p.svg"), 0) << error_;
-  const std::string svg = read("p.svg");
-  EXPECT_NE(svg.find("viewBox=\"0 0 1200 900\""), std::string::npos);
-  // The first filled shape in blue is the bed's symbol, the second that of the key.
-  const std::string head = "<path fill=\"#0072b2\" d=\"";
-  const auto begin = svg.find(head) + head.size();
-  std::string corner_list = svg.substr(begin, svg.find('z', begin) - begin);
-  for (char &c : corner_list)
-    if (c == 'M' || c == 'L' || c == ',') c = ' ';
-  std::istringstream numbers(corner_list);
-  double x = 0, y = 0, least_x = 1e9;
-  int corners = 0;
-  for (double px, py; numbers >> px >> py; ++corners) {
-    x += px;
-    y += py;
-    least_x = std::min(least_x, px);
-  }
-  ASSERT_EQ(corners, 40);
-  EXPECT_NEAR(x / corners, 317.5, 0.1);
-  EXPECT_NE(out_.find("10     1     0.3000        -                -\n"), std::string::npos)
-      << out_;
-  EXPECT_NEAR(y / corners, 900 - (95 + 780 * 0.3 / 0.8), 0.1);
-  EXPECT_NEAR(least_x, 317.5 - 6.5, 0.1);
 }
 
 // One standing rod of radius r, half cylinder length h, centre at height z in a vessel of radius R.
@@ -372,10 +331,6 @@ TEST_F(Programs, TheoryIsForSlenderRods)
         << out_;
     EXPECT_TRUE(std::isnan(csv_row(read("o.csv"))["vf_random_contact"]));
     EXPECT_TRUE(std::isnan(csv_row(read("o.csv"))["half_contacts_of_vf_inner"]));
-    if (lambda > 1.5 || !can_render()) continue;
-    ASSERT_EQ(run("rod_plot packing short.csv --out short.svg"), 0) << error_;
-    EXPECT_NE(out_.find("random contacts: for slender rods, lambda >= 5"), std::string::npos)
-        << out_;
   }
 }
 
@@ -925,23 +880,6 @@ TEST_F(Programs, WrongOptions)
   expect_refusal("rod_render bed.dump --out a.png --range 2 1", "--range");
 }
 
-TEST_F(Programs, WrongOptionsOfThePlots)
-{
-  write("p.csv", "lambda,vf_inner\n10,0.4\n");
-  write("bad.csv", "lambda,vf_inner\n10\n");
-  expect_refusal("rod_plot", "subcommand is required");
-  expect_refusal("rod_plot packing p.csv", "--out is required");
-  expect_refusal("rod_plot packing p.csv --out p.pdf", "must end in .png or .svg (got 'p.pdf')");
-  expect_refusal("rod_plot packing p.csv --out no/where.svg", "no/where.svg: cannot be opened");
-  expect_refusal("rod_plot packing p.csv --out p.svg --name none", "--name: must be VALUE=TEXT");
-  expect_refusal("rod_plot packing p.csv --out p.svg --by limits", "column 'limits' is missing");
-  expect_refusal("rod_plot packing p.csv --out p.svg --volume half", "--volume");
-  expect_refusal("rod_plot packing p.csv --out p.svg --volume whole", "'vf_whole' is missing");
-  expect_refusal("rod_plot packing bad.csv --out p.svg", "bad.csv:2: 1 fields, wanted 2");
-  expect_refusal("rod_plot orientation p.csv --out p.svg", "'elevation_low_deg' is missing");
-  expect_refusal("rod_plot packing none.csv --out p.svg", "none.csv: cannot be opened");
-}
-
 TEST_F(Programs, FilesThatCannotBeWritten)
 {
   expect_refusal("rod_orientation bed.dump --csv no/where.csv", "no/where.csv: cannot be opened");
@@ -1091,8 +1029,6 @@ TEST_F(Programs, WriteWholeFilesOrNone)
                  "the time step is 'nonsense'");
   expect_failure("rod_contacts bed.dump --csv old.csv --tables nowhere/x", "nowhere/x");
   expect_failure("rod_orientation bed.dump --csv old.csv --summary-csv nowhere.csv/x", "nowhere");
-  write("table.csv", "lambda,vf_inner,mean_sin_gamma\n10,0.4,0.7\n");
-  expect_failure("rod_plot packing table.csv --out a.svg nowhere/b.png", "nowhere/b.png");
   expect_failure("rod_packing bed.dump --vessel-radius 0.305 --csv .", "is a folder");
   EXPECT_EQ(read("old.csv"), "old\n");
 }
