@@ -120,7 +120,10 @@ void Pause::forget_ids()
   draft_.plan.twin = Setting::Same;
   // Groups keep their rods, but this program no longer knows their numbers.
   if (!draft_.effects.added_force.empty()) draft_.effects.forces_known = false;
-  if (driven_or_held()) draft_.effects.forces_known = false;
+  if (driven_or_held()) {
+    draft_.effects.forces_known = false;
+    draft_.effects.unknown_held = true;
+  }
   draft_.effects.added_force.clear();
   draft_.effects.still.clear();
   draft_.effects.driven.clear();

@@ -71,6 +71,7 @@ struct Effects {
   bool counts_all_pairs = true;      // false: some pairs are excluded
   std::set<int> still;               // frozen, or without a way to move
   std::map<int, Driven> driven;
+  bool unknown_held = false;         // rods whose numbers are not known are still or driven
   double omega_limit = 0.0;          // largest angular velocity, 0: none
 };
 
