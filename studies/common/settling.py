@@ -56,6 +56,7 @@ def time_step(aspect: float, stiffness: float, fraction: float) -> float:
 class Settled:
     dump: Path          # its last frame is the bed at rest, as rods
     cpu_seconds: float
+    wall_seconds: float      # of the steps, without what comes before and after
     steps: int
     end_time: float     # s
     rested: bool
@@ -84,7 +85,8 @@ def pour_and_settle(folder: Path | str, variables: dict, build=None) -> Settled:
     tables = [cases.read_log(run.log)[-1] for run in (fill, settle)]
     last = tables[1].iloc[-1]
     rested = re.search(r"at rest since step \d+", settle.log.read_text()) is not None
-    return Settled(folder / "dump.settle", fill.cpu_seconds + settle.cpu_seconds, int(last["Step"]),
+    return Settled(folder / "dump.settle", fill.cpu_seconds + settle.cpu_seconds,
+                   fill.loop_seconds + settle.loop_seconds, int(last["Step"]),
                    float(last["time"]), rested,
                    float(max(table.iloc[-1]["contacts.4"] for table in tables)),
                    f"{fill.command} && {settle.command}")
@@ -136,8 +138,8 @@ def settle_spheres(folder: Path | str, aspect: float, seed: int, spacing: float,
     rods = folder / "dump.rods"
     cases.run_tool("multisphere_to_rods", folder / "dump.bodies", "--out", rods, build=build)
     steps = int(last["Step"])
-    return Settled(rods, run.cpu_seconds, steps, steps * step, steps * step < total_time - 0.011,
-                   math.nan, run.command)
+    return Settled(rods, run.cpu_seconds, run.loop_seconds, steps, steps * step,
+                   steps * step < total_time - 0.011, math.nan, run.command)
 
 
 def measure(bed: Settled, aspect: float, seed: int, build=None) -> dict:

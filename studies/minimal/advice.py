@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Beds by the decks' default and by what the decks advise (quick 1), and whether they are alike."""
+from __future__ import annotations
+
+import re
+import statistics
+from pathlib import Path
+
+import pandas
+
+from studies.common import settling
+from studies.common.rows import provenance, write_rows
+from studies.common.statistics import equivalence
+
+QUANTITIES = {"vf_inner": "V_f, inner cylinder", "vf_whole": "V_f, whole vessel",
+              "elevation_deg": "mean elevation", "contacts": "contacts a rod"}
+
+
+def settle(folder, aspect: float, seed: int, way: str, limits: str, number: int, build):
+    """way: `today`, the decks' default, ended at rest; `full`, the same to its end at 10 s; `quick`;
+    or fF_kK, a time step of F times the limit and a stiffness of K times the decks'."""
+    if way in ("today", "full"):
+        return settling.settle_rods(folder, aspect, seed, limits=limits, rest=way == "today",
+                                    number=number or None, build=build)
+    if way == "quick":
+        return settling.pour_and_settle(
+            folder, settling.bed_variables(aspect, seed, limits, number or None) | {"quick": 1},
+            build)
+    fraction, stiffness = map(float, re.fullmatch(r"f([\d.]+)_k([\d.]+)", way).groups())
+    return settling.settle_rods(folder, aspect, seed, stiffness, fraction, limits=limits,
+                                total_time=4.0, number=number or None, build=build)
+
+
+def bed(path, aspect: float, seed: int, way: str, limits: str, number: int, build) -> None:
+    """Writes the row of a bed; of its files only the logs stay."""
+    folder = Path(path).resolve().with_suffix("")
+    settled = settle(folder, aspect, seed, way, limits, number, build)
+    write_rows(path, [{"lambda": aspect, "limits": limits, "way": way,
+                       **settling.measure(settled, aspect, seed, build)}])
+    for old in folder.glob("restart.*"):
+        old.unlink()
+
+
+def seconds(path, aspect: float, seed: int, turns: int, number: int, build) -> None:
+    """Writes the seconds to a settled bed by the decks' default and by quick 1, with the study's
+    limits on the angular velocity and with none, in turns."""
+    folder = Path(path).resolve().with_suffix("")
+    took: dict[tuple, list[float]] = {}
+    last: dict[tuple, settling.Settled] = {}
+    for _ in range(turns):
+        for limits in ("study", "none"):
+            for way in ("full", "quick"):
+                last[limits, way] = settle(folder / f"{limits}_{way}", aspect, seed, way, limits,
+                                           number, build)
+                took.setdefault((limits, way), []).append(last[limits, way].wall_seconds)
+    write_rows(path, [{
+        "lambda": aspect, "limits": limits, "way": way, "seconds": statistics.median(values),
+        "seconds_min": min(values), "seconds_max": max(values), "turns": turns,
+        "steps": last[limits, way].steps, "end_time_s": last[limits, way].end_time,
+        "times_fewer": statistics.median(
+            f / v for f, v in zip(took[limits, "full"], values)),
+        **provenance(last[limits, way].command, seed)} for (limits, way), values in took.items()])
+
+
+def equivalences(runs: pandas.DataFrame, bound: float) -> list[dict]:
+    """For each aspect ratio, and for all together (0), whether quick 1 gives the same means as the
+    default within `bound`: relative, 90 % confidence intervals, as two one-sided tests of 5 % have."""
+    relative = []
+    for aspect, part in runs.groupby("lambda"):
+        means = part[part["way"] == "today"][list(QUANTITIES)].mean()
+        relative.append(part.assign(**{q: part[q] / means[q] for q in QUANTITIES}))
+    everything = pandas.concat(relative).assign(**{"lambda": 0.0})
+    result = []
+    for aspect, part in [*pandas.concat(relative).groupby("lambda"), (0.0, everything)]:
+        today, quick = (part[part["way"] == way] for way in ("today", "quick"))
+        for quantity, name in QUANTITIES.items():
+            if min(len(today), len(quick)) < 2:
+                continue
+            found = equivalence(today[quantity], quick[quantity], bound)
+            result.append({"lambda": aspect, "quantity": quantity, "beds_today": len(today),
+                           "beds_quick": len(quick), "difference": found.difference,
+                           "low": found.low, "high": found.high, "bound": bound,
+                           "equivalent": int(found.equivalent),
+                           "scatter_today": today[quantity].std(ddof=1),
+                           "scatter_quick": quick[quantity].std(ddof=1)})
+    return result

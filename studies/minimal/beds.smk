@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Beds by the decks' default and by quick 1, a job a bed.
+FRESH_RUNS = str(RESULTS / "fresh_beds.csv")
+EQUIVALENCE = str(RESULTS / "equivalence.csv")
+CHOICES = str(RESULTS / "choices.csv")      # by the choosing seeds
+SECONDS = str(RESULTS / "seconds.csv")      # timed alone
+CHOICE_WAYS = [f"f{c['fraction']:g}_k{c['stiffness']:g}" for c in listed("choices")]
+
+
+wildcard_constraints:
+    aspect="[0-9.]+",
+    seed="[0-9]+",
+    way="today|full|quick|f[0-9.]+_k[0-9.]+",
+    limits="study|none",
+
+
+if not KEPT:
+
+    rule bed:
+        input: settling.DECKS, PLUGIN
+        output: "beds/{aspect}_{limits}_{way}_s{seed}.csv"
+        run:
+            w = SimpleNamespace(**wildcards)
+            advice.bed(output[0], float(w.aspect), int(w.seed), w.way, w.limits,
+                       int(config["number"]), BUILD)
+
+    # --config beds_there=1: of the beds that are there.
+    rule fresh_runs:
+        input:
+            [] if truth("beds_there") else
+            expand("beds/{aspect}_study_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
+                   aspect=ASPECTS, way=["today", "quick"])
+        output: FRESH_RUNS
+        run:
+            wanted = expand("beds/{aspect}_study_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
+                            aspect=ASPECTS, way=["today", "quick"])
+            there = [path for path in wanted if Path(path).exists()]
+            if not there:
+                refuse("no bed has been made yet")
+            rows.collect(there, output[0], by=["lambda", "way", "seed"])
+
+
+    rule choices:
+        input:
+            [] if truth("beds_there") else
+            expand("beds/{aspect}_none_{way}_s{seed}.csv", seed=listed("choosing_seeds"),
+                   aspect=ASPECTS, way=["today", *CHOICE_WAYS])
+        output: CHOICES
+        run:
+            wanted = expand("beds/{aspect}_none_{way}_s{seed}.csv", seed=listed("choosing_seeds"),
+                            aspect=ASPECTS, way=["today", *CHOICE_WAYS])
+            there = [path for path in wanted if Path(path).exists()]
+            if not there:
+                refuse("no bed has been made yet")
+            rows.collect(there, output[0], by=["lambda", "way", "seed"])
+
+    # From the first rod placed to the end, the decks' default to 10 s beside quick 1, in turns.
+    rule seconds:
+        input: settling.DECKS, PLUGIN
+        output: "timed/{aspect}.csv"
+        threads: workflow.cores
+        resources: timing=1
+        run:
+            advice.seconds(output[0], float(wildcards.aspect), int(listed("fresh_seeds")[0]),
+                           int(config["bed_turns"]), int(config["number"]), BUILD)
+
+    rule all_seconds:
+        input: expand("timed/{aspect}.csv", aspect=ASPECTS)
+        output: SECONDS
+        run: rows.collect(input, output[0])
+
+
+rule equivalence:
+    input: FRESH_RUNS
+    output: EQUIVALENCE
+    run:
+        rows.write_rows(output[0], advice.equivalences(rows.read_rows(input[0]),
+                                                       float(config["bound"])))

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# What each feature of a scene costs: a job a scene counts, another times it alone on the machine.
+FEATURES = str(RESULTS / "features.csv")
+FEATURE_SCENES = list(config["features"])
+FEATURE_SIZES = dict(number=int(config["feature_particles"]), seed=int(config["feature_seed"]),
+                     build=BUILD)
+
+
+wildcard_constraints:
+    scene="[a-z]+",
+
+
+if not KEPT:
+
+    rule feature_counts:
+        input: features.DECK, PLUGIN, str(HERE / "features.py")
+        output: "counted/{scene}.csv"
+        run:
+            features.count(output[0], wildcards.scene, config["features"][wildcards.scene],
+                           start_steps=int(config["feature_start_steps"]),
+                           counted_steps=int(config["feature_counted_steps"]), **FEATURE_SIZES)
+
+    rule feature_times:
+        input: "counted/{scene}.csv"
+        output: "timed_features/{scene}.csv"
+        threads: workflow.cores
+        resources: timing=1
+        run:
+            features.time(output[0], wildcards.scene, config["features"][wildcards.scene],
+                          Path(input[0]).with_suffix(""), steps=int(config["feature_timed_steps"]),
+                          turns=int(config["feature_turns"]), **FEATURE_SIZES)
+
+    # --config counts_only=1: without the times.
+    rule feature_table:
+        input:
+            counted=expand("counted/{scene}.csv", scene=FEATURE_SCENES),
+            timed=[] if truth("counts_only") else
+                  expand("timed_features/{scene}.csv", scene=FEATURE_SCENES)
+        output: FEATURES
+        run:
+            counted, timed = ([rows.read_rows(path) for path in paths]
+                              for paths in (input.counted, input.timed))
+            rows.write_rows(output[0], features.together(counted, timed))
