@@ -68,6 +68,18 @@ TEST_F(Scripts, SetupInstallsWhatIsMissing)
             "install -q -y --no-install-recommends --no-remove libvtk9-dev xvfb\n");
 }
 
+TEST_F(Scripts, SetupForStudies)
+{
+  lack_packages("Inst snakemake (7.21.0-1 Debian:12 [all])\n");
+  write_program("bin/dpkg-query", "case $* in *snakemake*) exit 1 ;; esac\nprintf installed\n");
+  ASSERT_EQ(run("scripts/setup"), 0) << read("error.txt");
+  EXPECT_EQ(read("apt-get.calls"), "");
+  ASSERT_EQ(run("scripts/setup --studies"), 0) << read("error.txt");
+  EXPECT_NE(read("apt-get.calls").find("--no-remove snakemake\n"), std::string::npos);
+  EXPECT_EQ(run("scripts/setup --all"), 2);
+  EXPECT_EQ(read("error.txt"), "setup: expected --studies or nothing (got '--all')\n");
+}
+
 // As on a machine with ParaView: its Python and VTK's exclude each other.
 TEST_F(Scripts, SetupRemovesNothing)
 {

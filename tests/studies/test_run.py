@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""scripts/run from end to end, in a copy of what it reads, with an lmp that pours few rods."""
+import os
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+
+from conftest import ROOT
+from studies.common import rows
+
+FEW_RODS = "-var rods 60 -var vessel_height 2 -var fill_time 0.7 -var total_time 1.4"
+
+
+@pytest.fixture
+def copy(tmp_path, programs):
+    for folder in ("scripts", "input", "studies/common", "studies/packing"):
+        shutil.copytree(ROOT / folder, tmp_path / folder,
+                        ignore=shutil.ignore_patterns("results", "__pycache__", "dump.*", "restart*"))
+    (tmp_path / "scripts/setup").write_text("#!/bin/sh\n")
+    (tmp_path / "scripts/build").write_text("#!/bin/sh\necho \"$*\" >built\n")
+    (tmp_path / "build/release").mkdir(parents=True)
+    for name in ("libspherocylinder.so", "rod_packing", "rod_orientation", "rod_render"):
+        (tmp_path / "build/release" / name).symlink_to(programs / name)
+    lmp(tmp_path, f'echo "$*" >>{tmp_path}/calls\nexec {programs}/lmp "$@" {FEW_RODS}\n')
+    return tmp_path
+
+
+def lmp(copy, text):
+    path = copy / "build/release/lmp"
+    path.write_text("#!/bin/sh\n" + text)
+    path.chmod(0o755)
+
+
+def run(copy, *arguments):
+    return subprocess.run([copy / "scripts/run", *arguments], text=True, capture_output=True)
+
+
+def test_makes_a_table_and_pictures_once(copy):
+    done = run(copy, "10", "--out", copy / "beds", "--jobs", "2")
+    assert done.returncode == 0, done.stdout + done.stderr
+    # What is used and nothing else, least of all tests.
+    assert (copy / "built").read_text() == \
+        "release lmp spherocylinder rod_packing rod_orientation rod_render\n"
+    assert len((copy / "calls").read_text().splitlines()) == 4
+    table = rows.read_rows(copy / "beds/summary.csv")
+    assert list(table["limits"]) == ["study", "none"] and list(table["lambda"]) == [10, 10]
+    folder = copy / "beds/lambda10_limits_none_seed86028121"
+    assert (folder / "bed.png").exists() and (folder / "orientation.csv").exists()
+    measured = rows.read_rows(folder / "packing.csv").iloc[-1]
+    assert table["vf_inner"][1] == measured["vf_inner"]
+    lines = [line for line in done.stdout.splitlines() if not line.startswith("run:")]
+    assert lines[0].split()[:5] == ["lambda", "limits", "seed", "Vf_whole", "Vf_inner"]
+    assert lines[3].split()[:5] == \
+        ["10", "none", "86028121", f"{measured['vf_whole']:.4f}", f"{measured['vf_inner']:.4f}"]
+
+    again = run(copy, "10", "--out", copy / "beds")
+    assert again.returncode == 0 and again.stdout.count("is finished, kept") == 2
+    assert len((copy / "calls").read_text().splitlines()) == 4
+    with open(copy / "input/in.rods", "a") as deck:
+        deck.write("# changed\n")
+    other = run(copy, "10", "--out", copy / "beds")
+    assert other.returncode == 2
+    assert "was made with other decks or another plug-in: move it away" in other.stderr
+
+
+def test_a_case_that_fails_is_named(copy, programs):
+    lmp(copy, f'case "$*" in *limit_fill*) set -- "$@" -var friction -1 ;; esac\n'
+              f'exec {programs}/lmp "$@" {FEW_RODS}\n')
+    done = run(copy, "--out", copy / "beds", "--jobs", "2")
+    assert done.returncode == 1
+    assert "run: lambda10_limits_none_seed86028121 failed; the end of what it said:\n" in done.stderr
+    assert "ERROR: in.rods: friction must be >= 0 (got -1)" in done.stderr
+    assert done.stderr.endswith("run: failed: lambda10_limits_none_seed86028121\n")
+    assert (copy / "beds/lambda10_limits_study_seed86028121/wall_seconds").exists()
+    assert not (copy / "beds/lambda10_limits_none_seed86028121/wall_seconds").exists()
+
+
+# Its programs end with it, and what it began is not taken for finished; two at once are refused.
+def test_stopped_by_a_signal(copy):
+    lmp(copy, f"echo $$ >>{copy}/processes\nexec sleep 100\n")
+    process = subprocess.Popen([copy / "scripts/run", "--out", copy / "beds", "--jobs", "1"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while not (copy / "processes").exists() or not (copy / "processes").read_text():
+        time.sleep(0.1)
+    second = run(copy, "--out", copy / "beds")
+    assert second.returncode == 2
+    assert f"run: another run works in {copy}/beds: wait until it has ended" in second.stderr
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(timeout=60) != 0
+    for number in (copy / "processes").read_text().split():
+        with pytest.raises(ProcessLookupError):
+            os.kill(int(number), 0)
+    assert not list((copy / "beds").glob("*/wall_seconds"))
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (["--seeds", "11"], "run: --seeds must be 1 to 10 (got '11')"),
+    (["--jobs", "0"], "run: --jobs must be a whole number > 0 (got '0')"),
+    (["--out"], "run: --out wants a folder"),
+    (["15"], "run: expected lambda 10, 20 or 30 or an option (got '15')")])
+def test_wrong_options(arguments, words):
+    done = subprocess.run([ROOT / "scripts/run", *arguments], text=True, capture_output=True)
+    assert done.returncode == 2 and words in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_scripts_fit_on_a_screen():
+    lines = {path.name: len(path.read_text().splitlines()) for path in (ROOT / "scripts").iterdir()}
+    assert sum(lines.values()) < 250, lines
