@@ -15,6 +15,7 @@ import numpy as np
 import pandas
 
 from studies.common import plots
+from studies.common.pages import power
 from studies.common.rows import read_rows
 from studies.common.statistics import pareto_front
 
@@ -25,10 +26,11 @@ TITLES = {"wall": "one end hits a floor", "crossed": "two crossed rods",
           "row": "across a row of rods", "slide_along": "sliding in a groove of rods",
           "slide_across": "sliding over a row of rods", "incline": "incline, about its threshold",
           "rolling": "rolling on two rods", "spin_down": "spinning down on two rods",
-          "precession": "free precession, 100 turns", "gas": "elastic gas"}
+          "precession": "free precession, 100 turns", "gas": "elastic gas", "bed": "settled bed"}
 QUANTITIES = {"impulse": "impulse", "friction": "impulse of friction", "speed": "final speed",
               "angle": "angle turned", "phase": "phase (turns)", "energy": "energy",
-              "pressure": "pressure"}
+              "inner": "V_f, inner cylinder", "whole": "V_f, whole vessel",
+              "elevation": "mean elevation", "contacts": "contacts a rod"}
 # The spacings of glued spheres, widest first, whatever n that makes.
 SPHERE_COLOURS = ["orange", "vermilion", "purple", "black"]
 SPHERE_MARKERS = ["s", "D", "^", "v"]
@@ -44,8 +46,10 @@ def name_of(scene: str, quantity: str) -> str:
     return f"{scene}_{quantity}"
 
 
-def title_of(scene: str) -> str:
-    return TITLES.get(scene, scene.replace("_", " "))
+def title_of(scene: str, quantity: str = "") -> str:
+    """With the quantity where a scene has several that do not speak for themselves."""
+    title = TITLES.get(scene, scene.replace("_", " "))
+    return f"{title}: {QUANTITIES.get(quantity, quantity)}" if quantity and is_bed(scene) else title
 
 
 def is_bed(scene: str) -> bool:
@@ -78,8 +82,10 @@ class Best:
 
 
 def cheapest(rows: pandas.DataFrame, method: str, level: float) -> Best | None:
-    """The cheapest case of a method with an error of at most `level`."""
-    good = rows[(rows["method"] == method) & (rows["error"] <= level)]
+    """The cheapest case of a method with an error of at most `level`; of a bed, whose error is a
+    bias of few seeds, with its standard error."""
+    error = rows["error_high"].where(rows["scene"].map(is_bed), rows["error"])
+    good = rows[(rows["method"] == method) & (error <= level)]
     if good.empty:
         return None
     row = good.loc[good["cost"].idxmin()]
@@ -139,10 +145,12 @@ def words(row) -> str:
 
 
 def percent(value: float) -> str:
-    """0.3, 1, 10; of small ones a power of ten."""
+    """0.3, 1, 10; of small ones a power of ten; a dash for no number."""
     value = 100.0 * value
+    if not np.isfinite(value):
+        return "–"
     if value and abs(value) < 1e-3:
-        return f"{value:.0e}".replace("e-0", "·10^-").replace("e-", "·10^-")
+        return power(value)
     return f"{value:.2g}" if value < 10 else f"{value:.0f}"
 
 
@@ -182,7 +190,8 @@ def draw_front(axes, rows: pandas.DataFrame, method: str, label: bool, floor: fl
         name = "rods" if method == "rods" else f"n={row['n']:.0f}"
         if name != last:
             axes.annotate(name, (row["cost"], max(row["error"], floor)), xytext=(3, 3),
-                          textcoords="offset points", fontsize=6.5, color=colour)
+                          textcoords="offset points", fontsize=6.5,
+                          color=plots.for_letters(colour))
         last = name
 
 
@@ -239,7 +248,8 @@ def chart(rows: pandas.DataFrame, scene: str, quantity: str, stem: Path | str) -
     columns = min(2, len(aspects))
     lines = -(-len(aspects) // columns)
     figure, axes = plots.new_figure(180, 68 * lines + 22, lines, columns, squeeze=False,
-                                    layout="constrained", sharey=True)
+                                    sharey=True)
+    figure.set_layout_engine("constrained")
     table = summary(part)
     floor = floor_of(part)
     for k, aspect in enumerate(aspects):
@@ -253,7 +263,7 @@ def chart(rows: pandas.DataFrame, scene: str, quantity: str, stem: Path | str) -
         panel.set_ylabel(f"error of the {QUANTITIES.get(quantity, quantity)}", fontsize=8)
     for k in range(columns):
         axes[-1][k].set_xlabel(cost_label(scene), fontsize=8)
-    figure.suptitle(f"{title_of(scene)}", fontsize=10)
+    figure.suptitle(title_of(scene, quantity), fontsize=10)
     legend_of(figure, set(part["rule"]))
     plots.save(figure, stem)
 
@@ -278,26 +288,25 @@ def combined(rows: pandas.DataFrame, aspect: float, stem: Path | str) -> None:
               if not (c[0] == "precession" and c[1] == "energy")]
     columns = 4
     lines = -(-len(charts) // columns)
-    figure, axes = plots.new_figure(220, 47 * lines + 14, lines, columns, squeeze=False,
-                                    layout="constrained")
+    figure, axes = plots.new_figure(220, 47 * lines + 14, lines, columns, squeeze=False)
+    figure.set_layout_engine("constrained")
     for panel, (scene, quantity) in zip(axes.flat, charts):
         part = rows[(rows["scene"] == scene) & (rows["quantity"] == quantity)]
         nearest = min(part["lambda"].unique(), key=lambda a: abs(np.log(a / aspect)))
         here = part[part["lambda"] == nearest]
         draw_panel(panel, here, nearest, floor=1e-4 if not is_bed(scene) else 1e-3)
         shown = f", λ = {nearest:g}" if nearest != aspect else ""
-        panel.set_title(title_of(scene) + shown, fontsize=8)
+        panel.set_title(title_of(scene, quantity) + shown, fontsize=8)
         panel.tick_params(labelsize=6.5)
     for panel in axes.flat[len(charts):]:
         panel.set_axis_off()
     for panel in axes[:, 0]:
         panel.set_ylabel("error", fontsize=7.5)
     for k in range(columns):
-        below = [line[k] for line in axes if line[k].axison]
+        below = [(panel, scene) for panel, (scene, _) in list(zip(axes.flat, charts))[k::columns]]
         if below:
-            below[-1].set_xlabel("core seconds a simulated second"
-                                 if not is_bed(charts[-1][0]) or len(below) == 1
-                                 else "core seconds", fontsize=7.5)
+            below[-1][0].set_xlabel("core seconds" if is_bed(below[-1][1]) else
+                                    "core seconds a simulated second", fontsize=7.5)
     legend_of(figure, set(rows["rule"]))
     plots.save(figure, stem)
 
@@ -305,13 +314,12 @@ def combined(rows: pandas.DataFrame, aspect: float, stem: Path | str) -> None:
 def summary_table(table: pandas.DataFrame) -> tuple[list[str], list[list[str]]]:
     """Headings and lines of the summary, a line a scene, quantity and aspect ratio."""
     headings = ["scene", "λ", *[f"{percent(level)} %" for level in LEVELS],
-                "least error: rods", "spheres"]
+                "rods' least error, %", "spheres', %"]
     lines = []
     for (scene, quantity, aspect), part in table.groupby(["scene", "quantity", "lambda"], sort=False):
         by_level = {row["error"]: words(row) for _, row in part.iterrows()}
         first = part.iloc[0]
         lines.append([f"{title_of(scene)} ({QUANTITIES.get(quantity, quantity)})", f"{aspect:g}",
                       *[by_level.get(level, "–") for level in LEVELS],
-                      f"{percent(first['rods_least_error'])} %",
-                      f"{percent(first['multisphere_least_error'])} %"])
+                      percent(first["rods_least_error"]), percent(first["multisphere_least_error"])])
     return headings, lines

@@ -25,7 +25,7 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
     return {
         "mode": mode, "results": results,
         "headings": headings, "lines": lines,
-        "charts": [{"name": chart.name_of(scene, quantity), "title": chart.title_of(scene),
+        "charts": [{"name": chart.name_of(scene, quantity), "title": chart.title_of(scene, quantity),
                     "quantity": chart.QUANTITIES.get(quantity, quantity)}
                    for scene, quantity in chart.charts_of(rows)],
         "machine": " and ".join(sorted(scenes["machine"].dropna().unique())),

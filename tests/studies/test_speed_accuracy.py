@@ -4,11 +4,15 @@ smallest run of the graph."""
 import numpy as np
 import pandas
 import pytest
+import yaml
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize
 
-from studies.common.rows import read_rows
-from studies.speed_accuracy import chart, codes, rods, scenes, sweep
+from conftest import ROOT
+from studies.common import pages, rows
+from studies.speed_accuracy import chart, codes, page, rods, scenes, sweep
+
+STUDY = ROOT / "studies" / "speed_accuracy"
 
 RNG = np.random.default_rng
 
@@ -269,9 +273,30 @@ def test_charts_are_the_same_each_time(some, tmp_path):
         assert one == two and len(one) > 1000
 
 
-@pytest.mark.parametrize("value,text", [(0.1, "10"), (0.003, "0.3"), (0.0123, "1.2"), (0.5, "50")])
+@pytest.mark.parametrize("value,text", [(0.1, "10"), (0.003, "0.3"), (0.0123, "1.2"), (0.5, "50"),
+                                        (6.2e-14, "6·10⁻¹²"), (float("nan"), "–")])
 def test_percent(value, text):
     assert chart.percent(value) == text
+
+
+# A bias of few seeds counts with its standard error.
+def test_beds_count_with_their_error():
+    bed = row("rods", 1.0, 0.028, scene="bed") | {"error_high": 0.05}
+    table = chart.summary(pandas.DataFrame([bed, row("multisphere", 9.0, 0.02, 10, scene="bed")]))
+    assert list(table["cheapest"]) == ["rods", "multisphere"]
+
+
+# The page beside the kept results is what they make of the template.
+@pytest.mark.skipif(not (STUDY / "results" / "scenes.csv").exists(), reason="no kept results")
+def test_kept_page(tmp_path):
+    charted = [STUDY / "results" / name for name in ("scenes.csv", "beds.csv")]
+    charted = [path for path in charted if path.exists()]
+    rows.write_rows(tmp_path / "summary.csv", chart.summary(chart.read(charted)))
+    assert (tmp_path / "summary.csv").read_bytes() == (STUDY / "results/summary.csv").read_bytes()
+    config = yaml.safe_load((STUDY / "config.yaml").read_text())
+    pages.render(STUDY / "README.md.j2", tmp_path / "README.md", page.values(
+        charted, STUDY / "results/summary.csv", config, "full", "results/"))
+    assert (tmp_path / "README.md").read_text() == (STUDY / "README.md").read_text()
 
 
 # --- The graph, in its smallest run. -------------------------------------------------------------
@@ -280,8 +305,8 @@ def test_smallest_run(study, tmp_path):
     done = study("speed_accuracy", "smoke=1")
     assert done.returncode == 0, done.stdout
     results = tmp_path / "results"
-    rows = read_rows(results / "scenes.csv")
-    good = rows[rows["ended"].fillna("") == ""]
+    table = rows.read_rows(results / "scenes.csv")
+    good = table[table["ended"].fillna("") == ""]
     assert set(good["method"]) == {"rods", "multisphere"}
     # What any run shows: rods precess to round-off, and do not stumble over rods they slide on.
     exact = good[(good["method"] == "rods") & (good["scene"] == "precession")]
