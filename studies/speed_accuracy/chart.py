@@ -154,6 +154,20 @@ def percent(value: float) -> str:
     return f"{value:.2g}" if value < 10 else f"{value:.0f}"
 
 
+def by_number(rows: pandas.DataFrame, aspect: float) -> tuple[list[str], list[list[str]]]:
+    """Least errors in per cent at one aspect ratio, of rods and of each number of spheres."""
+    rows = standing(rows[(rows["lambda"] == aspect) & ~rows["scene"].map(is_bed)])
+    numbers = sorted(rows.loc[rows["method"] == "multisphere", "n"].unique())
+    lines = []
+    for scene, quantity in charts_of(rows):
+        part = rows[(rows["scene"] == scene) & (rows["quantity"] == quantity)]
+        least = part.groupby(["method", "n"])["error"].min()
+        lines.append([f"{title_of(scene)} ({QUANTITIES.get(quantity, quantity)})",
+                      percent(least.get(("rods", 0), np.nan)),
+                      *[percent(least.get(("multisphere", n), np.nan)) for n in numbers]])
+    return ["scene", "rods", *[f"n = {n:.0f}" for n in numbers]], lines
+
+
 # --- Drawing. ------------------------------------------------------------------------------------
 
 def spacing_index(n: int, aspect: float) -> int:

@@ -20,6 +20,9 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
     ours, theirs = table["rods_cost"].notna(), table["multisphere_cost"].notna()
     ratio = table.loc[ours & theirs, "rods_are_cheaper"]
     near = table[ours & theirs & (table["rods_are_cheaper"] <= 2.0)]
+    aspects = sorted(scenes["lambda"].unique(), key=lambda a: abs(a - 10.0))
+    by_number = chart.by_number(scenes, aspects[0])
+    lost = (scenes["ended"].fillna("") != "") | ~(scenes["error"] < 1.0)
     stiff = scenes.assign(over=scenes["stiffness"] / scenes["lambda"] / 2.0e4)
     nominal = stiff[stiff["rule"] == "nominal"]
     return {
@@ -42,7 +45,10 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
                  for _, row in table[table["cheapest"] == "multisphere"].iterrows()],
         "enough": [f"{chart.title_of(row['scene'])}, λ = {row['lambda']:g}, "
                    f"{chart.percent(row['error'])} %" for _, row in near.iterrows()],
-        "cases": len(scenes), "ended": int((scenes["ended"].fillna("") != "").sum()),
+        "by_number": by_number, "by_number_aspect": f"{aspects[0]:g}",
+        "cases": len(scenes), "rods_cases": int((scenes["method"] == "rods").sum()),
+        "lost_rods": int((lost & (scenes["method"] == "rods")).sum()),
+        "lost_spheres": int((lost & (scenes["method"] != "rods")).sum()),
         "rods_stiffness": span(stiff[stiff["method"] == "rods"], "over"),
         "spheres_stiffness": span(nominal, "over"),
         "rods_step": span(scenes[scenes["method"] == "rods"], "time_step_over_limit"),
