@@ -9,7 +9,7 @@ from pathlib import Path
 import pandas
 
 from studies.common import settling
-from studies.common.rows import provenance, write_rows
+from studies.common.rows import provenance, read_rows, write_rows
 from studies.common.statistics import equivalence
 
 QUANTITIES = {"vf_inner": "V_f, inner cylinder", "vf_whole": "V_f, whole vessel",
@@ -41,6 +41,21 @@ def bed(path, aspect: float, seed: int, way: str, limits: str, number: int, buil
         old.unlink()
 
 
+def collect(paths, packing, out) -> None:
+    """Puts the beds into one table, with those of studies/packing, which are the decks' default run
+    to 10 s: beds of their own, as another version of the plug-in poured them."""
+    table = pandas.concat([read_rows(path) for path in paths], ignore_index=True)
+    for path in packing:
+        kept = read_rows(path).rename(columns={
+            "mean_elevation_deg": "elevation_deg", "contacts_per_rod": "contacts",
+            "time_s": "end_time_s", "mean_overlap_over_diameter": "overlap_mean",
+            "largest_overlap_over_diameter": "overlap_max",
+            "momentary_overlap_over_diameter": "overlap_ever"}).assign(way="full")
+        kept = kept[(kept["limits"] == "study") & kept["lambda"].isin(table["lambda"])]
+        table = pandas.concat([table, kept[[c for c in table if c in kept]]], ignore_index=True)
+    write_rows(out, table.sort_values(["lambda", "way", "seed"], kind="stable"))
+
+
 def seconds(path, aspect: float, seed: int, turns: int, number: int, build) -> None:
     """Writes the seconds to a settled bed by the decks' default and by quick 1, with the study's
     limits on the angular velocity and with none, in turns."""
@@ -67,12 +82,12 @@ def equivalences(runs: pandas.DataFrame, bound: float) -> list[dict]:
     default within `bound`: relative, 90 % confidence intervals, as two one-sided tests of 5 % have."""
     relative = []
     for aspect, part in runs.groupby("lambda"):
-        means = part[part["way"] == "today"][list(QUANTITIES)].mean()
+        means = part[part["way"] != "quick"][list(QUANTITIES)].mean()
         relative.append(part.assign(**{q: part[q] / means[q] for q in QUANTITIES}))
     everything = pandas.concat(relative).assign(**{"lambda": 0.0})
     result = []
     for aspect, part in [*pandas.concat(relative).groupby("lambda"), (0.0, everything)]:
-        today, quick = (part[part["way"] == way] for way in ("today", "quick"))
+        today, quick = part[part["way"] != "quick"], part[part["way"] == "quick"]
         for quantity, name in QUANTITIES.items():
             if min(len(today), len(quick)) < 2:
                 continue

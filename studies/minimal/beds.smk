@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Beds by the decks' default and by quick 1, a job a bed.
+PACKING = str(ROOT / "studies" / "packing" / "results" / "beds.csv")   # its beds are run to 10 s
 FRESH_RUNS = str(RESULTS / "fresh_beds.csv")
 EQUIVALENCE = str(RESULTS / "equivalence.csv")
 CHOICES = str(RESULTS / "choices.csv")      # by the choosing seeds
@@ -29,7 +30,8 @@ if not KEPT:
         input:
             [] if truth("beds_there") else
             expand("beds/{aspect}_study_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
-                   aspect=ASPECTS, way=["today", "quick"])
+                   aspect=ASPECTS, way=["today", "quick"]),
+            packing=[PACKING] if truth("with_packing") else []
         output: FRESH_RUNS
         run:
             wanted = expand("beds/{aspect}_study_{way}_s{seed}.csv", seed=listed("fresh_seeds"),

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the page says, from the CSV files."""
+from __future__ import annotations
+
+import re
+
+import pandas
+
+from studies.common import settling
+from studies.common.pages import figure, fixed
+from studies.common.rows import read_rows
+from studies.minimal.advice import QUANTITIES
+from studies.minimal.features import SCENES
+
+
+def percent(value: float, decimals: int = 1) -> str:
+    return f"{100 * value:+.{decimals}f} %".replace("-", "−")
+
+
+def feature_lines(table: pandas.DataFrame) -> list[list[str]]:
+    lines = []
+    for _, row in table.iterrows():
+        first = row["change"] == "as it is"
+        time = ""
+        if "microseconds" in row and row["microseconds"] == row["microseconds"]:
+            time = f"{figure(row['microseconds'], 2)}"
+        lines.append([f"**{SCENES[row['scene']]['title']}**" if first else row["change"],
+                      figure(row["instructions"], 4),
+                      "" if first else percent(row["instructions_times"] - 1, 2),
+                      time, figure(row["megabytes"], 3)])
+    return lines
+
+
+def bed_lines(runs: pandas.DataFrame) -> list[list[str]]:
+    lines = []
+    for (aspect, quick), part in runs.groupby(["lambda", runs["way"] == "quick"]):
+        cells = [f"{aspect:g}", "quick 1" if quick else "default", str(len(part))]
+        for name, decimals in (("vf_inner", 4), ("vf_whole", 4), ("elevation_deg", 1),
+                               ("contacts", 2)):
+            error = part[name].std(ddof=1) / len(part) ** 0.5 if len(part) > 1 else float("nan")
+            cells.append(f"{fixed(part[name].mean(), decimals)} ± {fixed(error, decimals)}")
+        lines.append(cells)
+    return lines
+
+
+def equivalence_lines(table: pandas.DataFrame) -> list[list[str]]:
+    return [[f"{row['lambda']:g}" if row["lambda"] else "together", QUANTITIES[row["quantity"]],
+             f"{row['beds_today']:.0f}, {row['beds_quick']:.0f}", percent(row["difference"]),
+             f"{percent(row['low'])} to {percent(row['high'])}",
+             "yes" if row["equivalent"] else "not shown"] for _, row in table.iterrows()]
+
+
+def second_lines(table: pandas.DataFrame) -> list[list[str]]:
+    lines = []
+    for (aspect, limits), part in table.groupby(["lambda", "limits"]):
+        part = part.set_index("way")
+        lines.append([f"{aspect:g}", limits, figure(part.loc["full", "seconds"], 3),
+                      figure(part.loc["quick", "seconds"], 3),
+                      figure(part.loc["quick", "end_time_s"], 3),
+                      figure(part.loc["quick", "times_fewer"], 2)])
+    return lines
+
+
+def choice_lines(table: pandas.DataFrame) -> list[list[str]]:
+    lines = []
+    for (aspect, way), part in table.groupby(["lambda", "way"]):
+        lines.append([f"{aspect:g}", way.replace("_", ", ").replace("f0", "step 0")
+                      .replace("k", "stiffness × ").replace("today", "default"), str(len(part)),
+                      fixed(part["end_time_s"].mean(), 1), fixed(part["vf_inner"].mean(), 3),
+                      fixed(part["elevation_deg"].mean(), 1), fixed(part["contacts"].mean(), 2),
+                      fixed(100 * part["overlap_ever"].max(), 0)])
+    return lines
+
+
+def off_costs(table: pandas.DataFrame) -> dict:
+    """What is switched off by name, and stock spheres in a program with the plug-in."""
+    by = table.set_index(["scene", "change"])
+    named = [abs(by.loc[(s, "all off by name"), "instructions_times"] - 1)
+             for s in SCENES if (s, "all off by name") in by.index]
+    more = [abs(by.loc[(s, "all off by name"), "megabytes_more"])
+            for s in SCENES if (s, "all off by name") in by.index]
+    result = {"instructions": max(named), "megabytes": max(more)}
+    stock = ("spheres", "stock spheres in liggghts"), ("spheres", "stock spheres in lmp")
+    if all(key in by.index for key in stock):
+        a, b = by.loc[stock[0]], by.loc[stock[1]]
+        result |= {"plugin": b["instructions"] / a["instructions"] - 1,
+                   "plugin_megabytes": b["megabytes"] - a["megabytes"],
+                   "as_rods": by.loc[("spheres", "as it is"), "instructions"] / a["instructions"]}
+    return result
+
+
+def deck_settings() -> dict:
+    """What in.rods says of the default and of quick 1."""
+    text = settling.DECKS[0].read_text()
+    default, quick = ({name: float(re.search(rf"variable {name}\s+index ([\d.e+-]+){ending}", text,
+                                             re.MULTILINE).group(1))
+                       for name in ("dt", "total_time")} for ending in (r"\s*$", '"'))
+    return {"step_times": quick["dt"] / default["dt"], "default_time": default["total_time"],
+            "quick_time": quick["total_time"],
+            "step_fraction": quick["dt"] / settling.time_step_limit(20.0)}
+
+
+def values(runs, equivalence, choices, seconds, features, bound: float) -> dict:
+    runs, equivalence, choices, seconds, features = map(
+        read_rows, (runs, equivalence, choices, seconds, features))
+    beds = runs[runs["way"] == "quick"]
+    shown = equivalence[equivalence["equivalent"] == 1]
+    return {
+        "features": feature_lines(features), "off": off_costs(features),
+        "beds": bed_lines(runs), "equivalence": equivalence_lines(equivalence),
+        "seconds": second_lines(seconds), "choices": choice_lines(choices), "bound": 100 * bound,
+        "shown": len(shown), "asked": len(equivalence),
+        "together_shown": list(shown.loc[shown["lambda"] == 0, "quantity"].map(QUANTITIES)),
+        "together_asked": int((equivalence["lambda"] == 0).sum()),
+        "times": seconds.loc[seconds["way"] == "quick", "times_fewer"],
+        "machine": " and ".join(sorted(seconds["machine"].dropna().unique())),
+        "turns": int(seconds["turns"].iloc[0]), "packing_beds": int((runs["way"] == "full").sum()),
+        **deck_settings(),
+        "not_rested": int((beds["rested"] == 0).sum()), "quick_beds": len(beds),
+        "overlap_ever": 100 * runs.groupby(runs["way"] == "quick")["overlap_ever"].max(),
+        "particles": int(features["particles"].iloc[0]), "steps": int(features["steps"].iloc[0]),
+    }

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures of the features' costs and of the equivalence of beds."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas
+
+from studies.common import plots
+from studies.minimal.advice import QUANTITIES
+from studies.minimal.features import SCENES
+
+
+def features(table: pandas.DataFrame, stem: Path | str) -> None:
+    """Instructions of a step against those of the scene as it is, a panel a scene."""
+    scenes = list(dict.fromkeys(table["scene"]))
+    heights = [max(2, (table["scene"] == s).sum()) for s in scenes]
+    figure, axes = plots.new_figure(160, 12 + 6.2 * sum(heights) + 9 * len(scenes), len(scenes), 1,
+                                    sharex=True, squeeze=False, height_ratios=heights)
+    for panel, scene in zip(axes[:, 0], scenes):
+        part = table[table["scene"] == scene]
+        rows = range(len(part))
+        ratio = part["instructions_times"]
+        colours = [plots.COLOURS["black"] if c == "as it is" else
+                   plots.COLOURS["blue"] if r <= 1 else plots.COLOURS["vermilion"]
+                   for c, r in zip(part["change"], ratio)]
+        panel.hlines(rows, 1.0, ratio, colors=colours, linewidth=1.2)
+        panel.scatter(ratio, rows, c=colours, s=16, zorder=3)
+        if "times" in part and part["times"].notna().any():
+            panel.scatter(part["times"], rows, marker="|", s=60, color=plots.COLOURS["orange"],
+                          zorder=2)
+        panel.set_yticks(rows, part["change"], fontsize=7.5)
+        panel.set_ylim(len(part) - 0.4, -0.6)
+        panel.axvline(1.0, color=plots.COLOURS["grey"], linewidth=0.7)
+        panel.grid(True, axis="x")
+        panel.set_title(SCENES[scene]["title"], loc="left", fontsize=8.5)
+    axes[-1][0].set_xlabel("dots: instructions of a step over those of the scene as it is; "
+                           "bars: time", fontsize=8)
+    plots.save(figure, stem)
+
+
+def equivalence(table: pandas.DataFrame, stem: Path | str) -> None:
+    """Difference of quick 1 from the default with its interval, and the bound."""
+    names = list(QUANTITIES)
+    figure, axes = plots.new_figure(160, 62, 1, len(names), sharey=True, squeeze=False)
+    aspects = sorted(table["lambda"].unique(), key=lambda a: a or float("inf"))
+    for panel, name in zip(axes[0], names):
+        part = table[table["quantity"] == name].set_index("lambda")
+        bound = 100 * part["bound"].iloc[0]
+        panel.axvspan(-bound, bound, color=plots.COLOURS["green"], alpha=0.13, linewidth=0)
+        panel.axvline(0.0, color=plots.COLOURS["grey"], linewidth=0.7)
+        for row, aspect in enumerate(aspects):
+            if aspect not in part.index:
+                continue
+            d = 100 * part.loc[aspect, ["difference", "low", "high"]].astype(float)
+            colour = plots.COLOURS["blue" if part.loc[aspect, "equivalent"] else "vermilion"]
+            panel.errorbar([d["difference"]], [row],
+                           xerr=[[d["difference"] - d["low"]], [d["high"] - d["difference"]]],
+                           marker="o", markersize=4, color=colour)
+        panel.set_title(QUANTITIES[name], fontsize=8)
+        panel.set_ylim(len(aspects) - 0.5, -0.5)
+        panel.set_xlabel("difference (%)", fontsize=8)
+    axes[0][0].set_yticks(range(len(aspects)), [f"λ = {a:g}" if a else "together" for a in aspects])
+    plots.save(figure, stem)

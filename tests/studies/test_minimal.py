@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""studies/minimal and what it shares with the beds of studies/speed_accuracy."""
+import math
+import re
+import shutil
+
+import numpy as np
+import pandas
+import pytest
+
+from conftest import ROOT
+from studies.common import cases, settling
+from studies.common.rows import read_rows
+from studies.minimal import advice, features, page
+from studies.speed_accuracy import beds
+
+STUDY = ROOT / "studies/minimal"
+
+
+# --- Settling. -----------------------------------------------------------------------------------
+
+# Mass by thin discs along the axis; the limit of two rods end to end at right angles to the line of
+# their centres: 1/m_eff = 2 (1/m + (L/2)²/I) ≈ 8/m, of a thin rod.
+def test_mass_and_time_step_limit():
+    radius, half = 0.005, 0.15
+    edges = np.linspace(-half, half, 200_001)
+    z = np.abs(0.5 * (edges[1:] + edges[:-1]))
+    r2 = radius ** 2 - np.maximum(0.0, z - (half - radius)) ** 2
+    mass = 2700 * math.pi * r2.sum() * (edges[1] - edges[0])
+    assert settling.mass_of(30) == pytest.approx(mass, rel=1e-7)
+    effective = 1 / (2 * (1 / mass + half ** 2 / (mass * (2 * half) ** 2 / 12)))
+    assert settling.time_step_limit(30) == pytest.approx(2 * math.sqrt(effective / 6e5), rel=1e-6)
+
+
+# The decks take the ceiling of a time over the step.
+@pytest.mark.parametrize("aspect", [3, 10, 30])
+@pytest.mark.parametrize("fraction", [0.045, 0.36, 0.54])
+def test_time_steps_divide_the_time_of_filling(aspect, fraction):
+    step = settling.time_step(aspect, 2e4, fraction)
+    steps = settling.FILL_TIME / step
+    assert math.ceil(steps) == round(steps)
+    assert step <= fraction * settling.time_step_limit(aspect) * (1 + 1e-9)
+
+
+def test_vessels_of_the_decks():
+    text = settling.DECKS[0].read_text()
+    for aspect, (vessel, rods) in settling.VESSELS.items():
+        assert re.search(rf'lambda}} == {aspect:g}" then &\n  "variable vessel_diameter index '
+                         rf'{vessel}" &\n  "variable rods index {rods}"', text)
+        assert vessel == pytest.approx(settling.DIAMETER * (2 * aspect + 1))
+
+
+# --- Equivalence. --------------------------------------------------------------------------------
+
+def runs_of(shift, scatter, count=30):
+    rng = np.random.default_rng(5)
+    result = []
+    for aspect in (10, 20):
+        for way in ("today", "full", "quick"):
+            for seed in range(count):
+                factor = (shift if way == "quick" else 1) * (1 + scatter * rng.normal())
+                result.append({"lambda": aspect, "way": way, "seed": seed,
+                               **{q: factor * aspect for q in advice.QUANTITIES}})
+    return pandas.DataFrame(result)
+
+
+def test_equivalence_is_shown_refused_or_left_open():
+    alike = pandas.DataFrame(advice.equivalences(runs_of(1.0, 0.01), 0.03))
+    assert list(alike["lambda"].unique()) == [10, 20, 0] and alike["equivalent"].all()
+    assert (alike["beds_today"] == [60] * 8 + [120] * 4).all()
+    apart = pandas.DataFrame(advice.equivalences(runs_of(1.05, 0.01), 0.03))
+    assert not apart["equivalent"].any() and (apart["low"] > 0.03).all()
+    few = pandas.DataFrame(advice.equivalences(runs_of(1.0, 0.05, 3), 0.03))
+    assert not few["equivalent"].any() and (few["low"] < 0).all()
+
+
+# --- Beds of the chart. --------------------------------------------------------------------------
+
+def test_error_of_beds_against_the_reference():
+    reference = {"rule": "spread", "stiffness": 10, "fraction": 0.18}
+    common = {"lambda": 10, "method": "rods", "n": 0, "rule": "spread", "rested": 1, "divided_by": 1,
+              "overlap_max": 0.01, "overlap_ever": 0.2, "end_time_s": 3, "command": "lmp",
+              "version": "x", "machine": "y", "vf_whole": 0.3, "elevation_deg": 20.0, "contacts": 6}
+    table = pandas.DataFrame(
+        [{**common, "stiffness": 10.0, "time_step_over_limit": 0.18, "seed": s, "cpu_s": 30,
+          "vf_inner": v} for s, v in enumerate((0.40, 0.42, 0.44))] +
+        [{**common, "stiffness": 1.0, "time_step_over_limit": 0.36, "seed": s, "cpu_s": c,
+          "vf_inner": v} for s, (v, c) in enumerate(((0.41, 5), (0.43, 7), (0.45, 6)))])
+    charted = beds.charted(table, reference)
+    inner = charted[charted["quantity"] == "inner"].iloc[0]
+    assert len(charted) == 4
+    assert (inner["cost"], inner["cost_min"], inner["cost_max"]) == (6, 5, 7)
+    assert inner["error"] == pytest.approx(0.01 / 0.42)
+    # Standard error of either mean: 0.02/√3.
+    assert inner["error_high"] - inner["error"] == pytest.approx(0.02 * math.sqrt(2 / 3) / 0.42)
+    assert inner["error_low"] == 0
+
+
+# --- Features. -----------------------------------------------------------------------------------
+
+def test_features_of_a_scene_as_commands():
+    bed = features.SCENES["bed"]
+    text = features.commands(bed, {})
+    assert "model linear tangential history surface spherocylinder\n" in text
+    assert "cohesion" not in text and "limit/omega" not in text and "dump" not in text
+    text = features.commands(bed, features.CHANGES["cohesion sjkr"])
+    assert text.count("cohesion sjkr") == 3 and "cohesionEnergyDensity" in text
+    text = features.commands(bed, features.CHANGES["all off by name"])
+    assert "cohesion off rolling_friction off surface spherocylinder" in text
+    text = features.commands(features.SCENES["spheres"], features.CHANGES["stock spheres in lmp"])
+    assert "spherocylinder" not in text and "nve/sphere\n" in text
+
+
+def test_changes_against_the_scene_as_it_is():
+    counted = pandas.DataFrame([
+        {"scene": "gas", "change": "as it is", "instructions": 100.0, "megabytes": 1.0},
+        {"scene": "gas", "change": "cohesion sjkr", "instructions": 150.0, "megabytes": 1.5}])
+    table = features.together([counted], [])
+    assert list(table["instructions_times"]) == [1.0, 1.5]
+    assert list(table["megabytes_more"]) == [0.0, 0.5]
+
+
+# --- Page. ---------------------------------------------------------------------------------------
+
+def test_settings_of_the_decks():
+    found = page.deck_settings()
+    assert found["step_times"] == pytest.approx(4) and found["default_time"] == 10
+    assert 0.33 < found["step_fraction"] < 0.37
+
+
+def test_the_kept_page_is_that_of_the_kept_tables(study, tmp_path):
+    if not (STUDY / "results").exists():
+        pytest.skip("no results are kept")
+    shutil.copytree(STUDY / "results", tmp_path / "results")
+    done = study("minimal", "kept=1")
+    assert done.returncode == 0, done.stdout
+    kept = (STUDY / "README.md").read_text()
+    assert (tmp_path / "results/README.md").read_text() == kept.replace("](results/", "](")
+
+
+def test_templates_hold_no_measured_numbers():
+    told_apart = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|`[^`]*`|```.*?```", re.DOTALL)
+    text = told_apart.sub(" ", (STUDY / "README.md.j2").read_text())
+    # Of the tests: a level of 5 %, intervals of 90 %.
+    assert set(re.findall(r"(?<![\w.])\d+\.\d+|\d+(?= ?%)", text)) <= {"5", "90"}
+
+
+def test_the_smallest_run(study, tmp_path):
+    done = study("minimal", "smoke=1")
+    assert done.returncode == 0, done.stdout
+    results = tmp_path / "results"
+    table = read_rows(results / "features.csv").set_index(["scene", "change"])
+    # Names that switch off what is off anyway: only the commands are longer.
+    assert table.loc[("gas", "all off by name"), "instructions_times"] == pytest.approx(1, abs=1e-3)
+    assert table.loc[("gas", "all off by name"), "megabytes_more"] == 0
+    assert (table["microseconds"] > 0).all()
+    runs = read_rows(results / "fresh_beds.csv")
+    assert sorted(runs["way"]) == ["quick", "quick", "today", "today"]
+    assert (runs["rested"] == 1).all() and (runs["version"].nunique() == 1)
+    seconds = read_rows(results / "seconds.csv")
+    assert (seconds.loc[seconds["way"] == "full", "end_time_s"] == 10).all()
+    assert (seconds.loc[seconds["way"] == "quick", "end_time_s"] <= 4).all()
+    assert "A settled bed in fewer seconds" in (results / "README.md").read_text()
+
+
+def test_a_bed_that_fails_says_why(tmp_path, programs):
+    with pytest.raises(cases.CaseError, match="limits must be study or none"):
+        settling.settle_rods(tmp_path, 5, 1000003, limits="some", build=programs)
