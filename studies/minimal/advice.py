@@ -56,14 +56,15 @@ def collect(paths, packing, out) -> None:
     write_rows(out, table.sort_values(["lambda", "way", "seed"], kind="stable"))
 
 
-def seconds(path, aspect: float, seed: int, turns: int, number: int, build) -> None:
+def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int, number: int,
+            build) -> None:
     """Writes the seconds to a settled bed by the decks' default and by quick 1, with the study's
     limits on the angular velocity and with none, in turns."""
     folder = Path(path).resolve().with_suffix("")
     took: dict[tuple, list[float]] = {}
     last: dict[tuple, settling.Settled] = {}
     for _ in range(turns):
-        for limits in ("study", "none"):
+        for limits in limits_timed:
             for way in ("full", "quick"):
                 last[limits, way] = settle(folder / f"{limits}_{way}", aspect, seed, way, limits,
                                            number, build)

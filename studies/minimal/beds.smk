@@ -64,7 +64,7 @@ if not KEPT:
         resources: timing=1
         run:
             advice.seconds(output[0], float(wildcards.aspect), int(listed("fresh_seeds")[0]),
-                           int(config["bed_turns"]), int(config["number"]), BUILD)
+                           listed("timed_limits"), int(config["bed_turns"]), int(config["number"]), BUILD)
 
     rule all_seconds:
         input: expand("timed/{aspect}.csv", aspect=ASPECTS)
