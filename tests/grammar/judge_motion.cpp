@@ -192,10 +192,12 @@ void check_flight(const Plan &plan, const Run &run, const State &from, const Sta
   }
 }
 
-void check_walls(const Plan &plan, const State &from, const State &to)
+// A moving wall goes through what is held.
+void check_walls(const Plan &plan, const Effects &effects, const State &from, const State &to)
 {
   for (const Wall &wall : plan.walls)
     for (const auto &[id, rod] : from.rods) {
+      if (effects.still.count(id)) continue;
       const Rod &now = to.rods.at(id);
       const double then = wall.at(from.step).position, at = wall.at(to.step).position;
       const bool through =
@@ -219,7 +221,7 @@ void check_motion(const Plan &plan, const Run &run, const std::vector<State> &st
     if (!same_rods(from, to) || effects.inserting || effects.box_changes) continue;
     if (effects.only_internal) check_momentum(run, from, to, time);
     if (effects.forces_known) check_flight(plan, run, from, to, time);
-    if (effects.driven.empty() && effects.forces_known) check_walls(plan, from, to);
+    if (effects.driven.empty() && effects.forces_known) check_walls(plan, effects, from, to);
     if (effects.omega_limit > 0.0)
       for (const auto &[id, rod] : to.rods)
         if (!effects.driven.count(id) && norm(rod.omega) > effects.omega_limit * (1.0 + 1e-9))
