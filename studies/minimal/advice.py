@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-import statistics
 from pathlib import Path
 
+import numpy
 import pandas
 
 from studies.common import settling
@@ -70,11 +70,11 @@ def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int,
                                            number, build)
                 took.setdefault((limits, way), []).append(last[limits, way].wall_seconds)
     write_rows(path, [{
-        "lambda": aspect, "limits": limits, "way": way, "seconds": statistics.median(values),
+        "lambda": aspect, "limits": limits, "way": way, "seconds": numpy.median(values),
         "seconds_min": min(values), "seconds_max": max(values), "turns": turns,
         "steps": last[limits, way].steps, "end_time_s": last[limits, way].end_time,
-        "times_fewer": statistics.median(
-            f / v for f, v in zip(took[limits, "full"], values)),
+        "times_fewer": numpy.median(
+            [f / v for f, v in zip(took[limits, "full"], values)]),
         **provenance(last[limits, way].command, seed)} for (limits, way), values in took.items()])
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import statistics
 import subprocess
 from pathlib import Path
 
+import numpy
 import pandas
 
 from studies.common import cases
@@ -201,9 +201,9 @@ def time(path, name: str, names: list[str], folder, number: int, seed: int, step
     first = seconds[names[0]]
     scale = 1e6 / (number * steps)
     write_rows(path, [{
-        "scene": name, "change": label, "microseconds": scale * statistics.median(values),
+        "scene": name, "change": label, "microseconds": scale * numpy.median(values),
         "microseconds_min": scale * min(values), "microseconds_max": scale * max(values),
-        "times": statistics.median(v / f for v, f in zip(values, first)), "turns": turns,
+        "times": numpy.median([v / f for v, f in zip(values, first)]), "turns": turns,
         **provenance(commands_of[label], seed)} for label, values in seconds.items()])
 
 
