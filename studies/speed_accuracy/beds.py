@@ -10,12 +10,15 @@ import numpy as np
 import pandas
 
 from studies.common import settling
+from studies.common.pages import figure, fixed, with_error
 from studies.common.rows import write_rows
 from studies.common.statistics import mean_and_error
 
 QUANTITIES = {"vf_inner": "inner", "vf_whole": "whole", "elevation_deg": "elevation",
               "contacts": "contacts"}
 CASE = ["lambda", "method", "n", "rule", "stiffness", "time_step_over_limit"]
+NAMES = {"inner": "V_f, inner cylinder", "whole": "V_f, whole vessel", "elevation": "mean elevation",
+         "contacts": "contacts a rod"}
 
 
 def folder_of(path: str | Path) -> Path:
@@ -103,3 +106,97 @@ def charted(runs: pandas.DataFrame, reference: dict) -> pandas.DataFrame:
                     "seed": " ".join(str(s) for s in sorted(part["seed"])),
                     "version": part["version"].iloc[0], "machine": part["machine"].iloc[0]})
     return pandas.DataFrame(result)
+
+
+def label(case: dict | pandas.Series) -> str:
+    """What a case is, for a table."""
+    step = f"step {case['time_step_over_limit']:g}"
+    if case["method"] == "rods":
+        rule = "spread contact" if case["rule"] == "spread" else "single contact"
+        return f"rods, {rule}, stiffness × {case['stiffness']:g}, {step}"
+    divided = "" if case["divided_by"] == 1 else f", divided by {case['divided_by']:g}"
+    return f"{case['n']:.0f} spheres{divided}, {step}"
+
+
+def groove(aspect: float, n: int) -> float:
+    """How deep the grooves between the spheres of a rod are, over the diameter."""
+    half = min(1.0, (aspect - 1.0) / (n - 1))   # half the spacing, over the radius
+    return 0.5 * (1.0 - math.sqrt(1.0 - half ** 2))
+
+
+def bed_lines(runs: pandas.DataFrame) -> list[list[str]]:
+    """A line a case: what its beds are like and cost."""
+    lines = []
+    for (aspect, *_), part in runs.groupby([*CASE, "divided_by"], sort=False):
+        first = part.iloc[0]
+        cells = [f"{aspect:g}", label(first), str(len(part))]
+        for name, decimals in (("vf_inner", 3), ("vf_whole", 3), ("elevation_deg", 1),
+                               ("contacts", 2)):
+            cells.append(with_error(mean_and_error(part[name]), decimals))
+        ever = part["overlap_ever"].max()
+        cells += [fixed(100 * part["overlap_max"].max(), 1),
+                  fixed(100 * ever, 0), figure(part["cpu_s"].median(), 2),
+                  f"{part['rested'].sum():.0f} of {len(part)}"]
+        lines.append(cells)
+    return lines
+
+
+def cheapest(charted_rows: pandas.DataFrame) -> list[list[str]]:
+    """For V_f of the inner cylinder: the cheapest case of each method whose error, with its standard
+    error, is below 10 and 3 %."""
+    lines = []
+    inner = charted_rows[charted_rows["quantity"] == "inner"]
+    for aspect, part in inner.groupby("lambda"):
+        for level in (0.10, 0.03):
+            cells = [f"{aspect:g}", f"{100 * level:g} %"]
+            costs = []
+            for method in ("rods", "multisphere"):
+                good = part[(part["method"] == method) & (part["error_high"] <= level)]
+                best = good.loc[good["cost"].idxmin()] if len(good) else None
+                cells.append("none tried" if best is None
+                             else f"{label(best)}: {figure(best['cost'], 2)} s")
+                costs.append(math.nan if best is None else best["cost"])
+            cells.append(figure(costs[1] / costs[0], 2) if costs[0] > 0 else "–")
+            lines.append(cells)
+    return lines
+
+
+def extrapolated(runs: pandas.DataFrame, reference: dict) -> list[list[str]]:
+    """V_f of glued spheres against the depth of their grooves, which goes to 0 as n grows, beside the
+    reference: a line through the two finest."""
+    lines = []
+    for aspect in sorted(runs["lambda"].unique()):
+        limit = reference_of(runs, aspect, reference)
+        theirs = runs[(runs["lambda"] == aspect) & (runs["method"] == "multisphere")
+                      & (runs["divided_by"] == 1)]
+        if limit.empty or theirs.empty:
+            continue
+        cells = [f"{aspect:g}"]
+        means = {int(n): part["vf_inner"].mean() for n, part in theirs.groupby("n")}
+        cells.append("; ".join(f"n = {n}, {groove(aspect, n):.3f}: {means[n]:.3f}"
+                               for n in sorted(means)))
+        if len(means) > 1:
+            a, b = sorted(means)[-2:]
+            ga, gb = groove(aspect, a), groove(aspect, b)
+            cells.append(fixed(means[b] - gb * (means[a] - means[b]) / (ga - gb), 3))
+        else:
+            cells.append("–")
+        cells.append(with_error(mean_and_error(limit["vf_inner"]), 3))
+        lines.append(cells)
+    return lines
+
+
+def page_values(runs: pandas.DataFrame, charted_rows: pandas.DataFrame, reference: dict,
+                results: str) -> dict:
+    spheres = runs[runs["method"] == "multisphere"]
+    return {"beds": bed_lines(runs), "cheapest": cheapest(charted_rows),
+            "extrapolated": extrapolated(runs, reference), "results": results,
+            "machine": " and ".join(sorted(runs["machine"].unique())),
+            "aspects": ", ".join(f"{a:g}" for a in sorted(runs["lambda"].unique())),
+            "quantities": [(f"bed_{q}", NAMES[q]) for q in NAMES
+                           if q in set(charted_rows["quantity"])],
+            "reference": label({**reference, "method": "rods",
+                                "time_step_over_limit": reference["fraction"]}),
+            "spheres_rested": int(spheres["rested"].sum()), "spheres_beds": len(spheres),
+            "rods_rested": int((runs["method"] == "rods").mul(runs["rested"]).sum()),
+            "rods_beds": int((runs["method"] == "rods").sum())}

@@ -8,7 +8,7 @@ from studies.speed_accuracy import beds
 
 BED_DECK = str(HERE / "in.bed_spheres")
 BED_RUNS = str(RESULTS / "bed_runs.csv")
-BED_ROWS = str(RESULTS / "beds.csv")
+BED_PAGE = str(Path(README).with_name("beds.md"))
 BED_ASPECTS = [f"{float(value):g}" for value in listed("bed_lambdas")]
 
 
@@ -22,6 +22,13 @@ def bed_jobs():
     wanted = [int(c["seeds"]) for c in rods + list(config["bed_spheres"] or [])]
     return [f"{aspect}_{name}_s{seed}" for k, seed in enumerate(seeds) for aspect in BED_ASPECTS
             for name, count in zip(names, wanted) if k < count]
+
+
+# --config beds_there=1: of the beds that have been made, and none if none has, so that a study that was
+# stopped can be charted; beds_kept=1: the table of beds as it is kept.
+BEDS_THERE = [path for path in (f"beds/{job}.csv" for job in bed_jobs()) if (WORK / path).exists()]
+if Path(BED_RUNS).exists() if KEPT or truth("beds_kept") else BEDS_THERE or not truth("beds_there"):
+    BED_ROWS = str(RESULTS / "beds.csv")
 
 
 wildcard_constraints:
@@ -51,20 +58,28 @@ if not KEPT:
                          float(w.contacts), float(w.fraction), float(config["bed_time"]),
                          int(config["bed_number"]), BED_DECK, BUILD)
 
-    # Beds that are there, so that a run that was stopped can be charted: --config beds_there=1.
-    rule bed_runs:
-        input: [] if truth("beds_there") else expand("beds/{job}.csv", job=bed_jobs())
-        output: BED_RUNS
+    if not truth("beds_kept"):
+
+        rule bed_runs:
+            input: BEDS_THERE if truth("beds_there") else expand("beds/{job}.csv", job=bed_jobs())
+            output: BED_RUNS
+            run:
+                rows.collect(input, output[0], by=[*beds.CASE, "divided_by", "seed"])
+
+
+if "BED_ROWS" in globals():
+
+    rule bed_rows:
+        input: BED_RUNS, str(HERE / "beds.py")
+        output: BED_ROWS
         run:
-            there = [f"beds/{job}.csv" for job in bed_jobs() if Path(f"beds/{job}.csv").exists()]
-            if not there:
-                refuse("no bed has been made yet")
-            rows.collect(there, output[0], by=["lambda", "method", "n", "rule", "stiffness",
-                                               "time_step_over_limit", "seed"])
+            rows.write_rows(output[0], beds.charted(rows.read_rows(input[0]),
+                                                    config["bed_reference"]))
 
-
-rule bed_rows:
-    input: BED_RUNS
-    output: BED_ROWS
-    run:
-        rows.write_rows(output[0], beds.charted(rows.read_rows(input[0]), config["bed_reference"]))
+    rule bed_page:
+        input: BED_RUNS, BED_ROWS, template=str(HERE / "beds.md.j2"), code=str(HERE / "beds.py")
+        output: BED_PAGE
+        run:
+            pages.render(input.template, output[0], beds.page_values(
+                rows.read_rows(BED_RUNS), rows.read_rows(BED_ROWS), config["bed_reference"],
+                "" if Path(README).parent == RESULTS else os.path.relpath(RESULTS, HERE) + "/"))
