@@ -8,7 +8,7 @@ import numpy
 import pandas
 
 from studies.common import plots
-from studies.packing import numbers
+from studies.packing import measures
 
 C = plots.COLOURS
 LIMITS = {"study": "limits of the study on ω", "none": "no limit on ω"}
@@ -40,13 +40,13 @@ def spread(heights: list[float], apart: float) -> list[float]:
 def theory_curves(largest: float) -> list[tuple]:
     """Name, λ, V_f, colour, dashes."""
     def random(sin_gamma):
-        x = numpy.linspace(numbers.RANDOM_CONTACTS_FROM, largest, 200)
-        return x, numbers.random_contacts(x, sin_gamma)
-    x = numpy.linspace(numbers.PARKHOUSE_KELLY_FROM, largest, 200)
-    return [("Parkhouse & Kelly", x, numbers.parkhouse_kelly(x), C["black"], plots.DASHES[0]),
-            ("random, horizontal", *random(numbers.HORIZONTAL_SIN_GAMMA), C["green"],
+        x = numpy.linspace(measures.RANDOM_CONTACTS_FROM, largest, 200)
+        return x, measures.random_contacts(x, sin_gamma)
+    x = numpy.linspace(measures.PARKHOUSE_KELLY_FROM, largest, 200)
+    return [("Parkhouse & Kelly", x, measures.parkhouse_kelly(x), C["black"], plots.DASHES[0]),
+            ("random, horizontal", *random(measures.HORIZONTAL_SIN_GAMMA), C["green"],
              plots.DASHES[1]),
-            ("random, isotropic", *random(numbers.ISOTROPIC_SIN_GAMMA), C["purple"],
+            ("random, isotropic", *random(measures.ISOTROPIC_SIN_GAMMA), C["purple"],
              plots.DASHES[3])]
 
 
@@ -56,7 +56,7 @@ def expected_curve(kind: pandas.DataFrame) -> tuple:
     if len(kind) < 2:
         return numpy.array([]), numpy.array([])
     x = numpy.linspace(kind["lambda"].min(), kind["lambda"].max(), 200)
-    return x, numbers.random_contacts(x, numpy.interp(x, kind["lambda"], kind["mean_sin_gamma"]))
+    return x, measures.random_contacts(x, numpy.interp(x, kind["lambda"], kind["mean_sin_gamma"]))
 
 
 def packing_figure(means: pandas.DataFrame, literature: pandas.DataFrame):

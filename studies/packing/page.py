@@ -8,7 +8,7 @@ import pandas
 
 from studies.common import pages, rows
 from studies.packing import beds as drawing
-from studies.packing import figures, numbers
+from studies.packing import figures, measures
 
 # Not told as settings: they differ from bed to bed or say nothing of them.
 OF_A_BED = ("lambda", "seed", "vessel_diameter", "rods")
@@ -89,10 +89,10 @@ def rows_of_beds(beds: pandas.DataFrame) -> list[list[str]]:
 
 
 def values(results: Path, literature: Path | str, mode: str) -> dict:
-    beds = numbers.read_beds(results / "beds.csv")
-    means = numbers.packing_means(beds)
-    elevation = numbers.elevation_means(rows.read_rows(results / "elevation.csv"))
-    published = numbers.read_literature(literature)
+    beds = measures.read_beds(results / "beds.csv")
+    means = measures.packing_means(beds)
+    elevation = measures.elevation_means(rows.read_rows(results / "elevation.csv"))
+    published = measures.read_literature(literature)
     table = rows.read_rows(results / "settings.csv")
     setting = dict(zip(table["variable"], table["value"].astype(str)))
     _, left_out = figures.packing_figure(means, published)
@@ -131,8 +131,8 @@ def values(results: Path, literature: Path | str, mode: str) -> dict:
         "full_rows_of_means": rows_of_means(means, True), "rows_of_beds": rows_of_beds(beds),
         "isotropic_rods": elevation["isotropic_rods"].min(),
         "found": findings(beds, means) if both else None, "overlap": overlaps(means),
-        "isotropic_deg": numbers.ISOTROPIC_ELEVATION_DEG, "half_contacts": numbers.HALF_CONTACTS,
-        "horizontal_order": numbers.HORIZONTAL_ORDER,
+        "isotropic_deg": measures.ISOTROPIC_ELEVATION_DEG, "half_contacts": measures.HALF_CONTACTS,
+        "horizontal_order": measures.HORIZONTAL_ORDER,
         "published": published.to_dict("records"), "left_out": left_out,
         "versions": words(sorted(beds["version"].unique())),
         "machines": words(sorted(beds["machine"].unique())),

@@ -23,10 +23,10 @@ def programs() -> Path:
 def study(tmp_path):
     """study("packing", "smoke=1", "seeds=2") runs a study's graph with its work and results in
     tmp_path, results in tmp_path/results; gives snakemake's exit code and output."""
-    def run(folder, *settings, targets=(), cores=2):
+    def run(folder, *settings, targets=(), cores=2, options=()):
         folder = ROOT / folder if "/" in folder else ROOT / "studies" / folder
         command = ["/usr/bin/snakemake", "-s", folder / "Snakefile", "--cores", cores, "--force-use-threads",
-                   *targets,
+                   *targets, *options,
                    "--config", f"build={PROGRAMS}", f"work={tmp_path}", *settings]
         return subprocess.run([str(word) for word in command], cwd=tmp_path, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """studies/common: runs, logs, rows, statistics, pages."""
+import hashlib
 import math
+import sys
 
+import numpy
 import pandas
 import pytest
+from PIL import Image
 
-from studies.common import cases, pages, rows, statistics
+from conftest import ROOT
+from studies.common import cases, pages, plots, rows, statistics
 
 
 # 1, 2, 3, 6: mean 3, squares about it 4 + 1 + 0 + 9 = 14, error sqrt(14/(4 3)).
@@ -25,12 +30,39 @@ def test_confidence_interval():
     assert statistics.confidence_interval([1]) == (-math.inf, math.inf)
 
 
+# Differences 1 of two samples of variance 1: error sqrt(2/3), 4 degrees of freedom, t of 95 %
+# 2.131847; paired differences 1, 1, 2: error 1/3, 2 degrees, t 2.919986 (tables).
+def test_equivalence():
+    two = statistics.equivalence([1, 2, 3], [2, 3, 4], bound=2.8)
+    assert two.difference == pytest.approx(1)
+    assert two.high - 1 == pytest.approx(2.131847 * math.sqrt(2 / 3), rel=1e-6)
+    assert two.equivalent
+    assert not statistics.equivalence([1, 2, 3], [2, 3, 4], bound=2.7).equivalent
+    assert not statistics.equivalence([2, 3, 4], [1, 2, 3], bound=2.7).equivalent
+    pairs = statistics.equivalence([1, 2, 3], [2, 3, 5], bound=2.4, paired=True)
+    assert pairs.difference == pytest.approx(4 / 3)
+    assert pairs.high - 4 / 3 == pytest.approx(2.919986 / 3, rel=1e-6)
+    assert pairs.equivalent
+    with pytest.raises(ValueError, match="two values or more of each"):
+        statistics.equivalence([1], [2, 3], bound=1)
+    with pytest.raises(ValueError, match="must be > 0"):
+        statistics.equivalence([1, 2], [2, 3], bound=0)
+
+
 # 2 + 3 h² at h = 0.1, 0.2, 0.4: limit 2, order 2, to round-off.
 def test_richardson_gives_limit_and_order():
     h = [0.4, 0.1, 0.2]
     limit, order = statistics.richardson(h, [2 + 3 * x * x for x in h])
     assert limit == pytest.approx(2, abs=1e-13)
     assert order == pytest.approx(2, abs=1e-10)
+
+
+def test_richardson_says_where_it_does_not_apply():
+    assert all(map(math.isnan, statistics.richardson([1, 2, 4], [0, 1, 0.5])))  # no power law
+    assert statistics.richardson([1, 2, 4], [3, 3, 3])[0] == 3
+    for h in ([1, 2], [1, 2, 3]):
+        with pytest.raises(ValueError, match="richardson needs"):
+            statistics.richardson(h, [1] * len(h))
 
 
 def test_pareto_front():
@@ -88,6 +120,33 @@ def test_run_deck(tmp_path, programs):
         cases.run_deck(tmp_path, "in.words", build=tmp_path)
 
 
+# All ranks' processor time is counted; each of two ranks runs the deck's loop.
+def test_run_deck_on_two_ranks(tmp_path, programs):
+    cases.link_decks(tmp_path, [ROOT / "tests/studies/tiny/in.rod"])
+    run = cases.run_deck(tmp_path, "in.rod", {"steps": 20}, ranks=2, build=programs, name="two")
+    assert run.command == \
+        "mpirun -np 2 --oversubscribe --bind-to none lmp -in in.rod -log log.two -var steps 20"
+    assert "on 2 procs for 20 steps" in run.log.read_text()
+    assert run.loop_seconds > 0 and run.cpu_seconds > 0
+    assert list(cases.read_log(run.log)[0]["Step"]) == [0, 5, 10, 15, 20]
+
+
+# A rod of 2700 kg/m³, D = 0.01 m, L = 0.1 m that flies at 1 m/s: half its mass in J.
+def test_energy_of_the_smallest_study(tmp_path, programs):
+    run = cases.run_deck(tmp_path, ROOT / "tests/studies/tiny/in.rod", build=programs)
+    mass = 2700 * math.pi * (0.01 ** 2 / 4 * 0.09 + 0.01 ** 3 / 6)
+    assert cases.last_table(run.log, ["ke"])["ke"].iloc[-1] == pytest.approx(mass / 2, rel=1e-6)
+    assert run.command == "lmp -in tests/studies/tiny/in.rod -log log.rod"  # no path of a machine
+    with pytest.raises(cases.CaseError, match="log.rod has no column speed \\(its columns are: Step"):
+        cases.last_table(run.log, ["speed"])
+
+
+def test_tools_tell_what_is_wrong(tmp_path, programs):
+    (tmp_path / "dump").write_text("nothing\n")
+    with pytest.raises(cases.CaseError, match="^rod_packing: .*dump"):
+        cases.measure_bed(tmp_path / "dump", 0.1, programs)
+
+
 def test_rows(tmp_path):
     rows.write_rows(tmp_path / "a.csv", [{"k": 2, "x": 1 / 3}, {"k": 1, "x": 2.0}])
     rows.write_rows(tmp_path / "b.csv", pandas.DataFrame({"k": [1], "x": [1e-20]}))
@@ -96,6 +155,9 @@ def test_rows(tmp_path):
 
 
 def test_provenance():
+    text = (ROOT / "input/in.rods").read_bytes()
+    assert rows.sum_of("input/in.rods") == \
+        hashlib.sha256(b"input/in.rods\0" + text).hexdigest()[:12]
     row = rows.provenance("lmp -in in.fill", 86028121)
     assert list(row) == list(rows.PROVENANCE)
     assert len(row["version"]) == 12
@@ -119,11 +181,61 @@ def test_a_page_needs_all_its_values(tmp_path):
         pages.render(template, tmp_path / "p.md", {})
 
 
+def test_a_page_takes_its_pictures_in(tmp_path):
+    noise = numpy.random.default_rng(1).integers(0, 256, (400, 300, 3), dtype=numpy.uint8)
+    Image.fromarray(noise).save(tmp_path / "large.png")
+    template = tmp_path / "p.html.j2"
+    template.write_text('{% extends "page.html.j2" %}{% block content %}'
+                        '{{ picture(path, "a < b", widest=100) }}{{ table(["x"], [["<i>"]]) }}{% endblock %}')
+    pages.html_page(template, tmp_path / "p.html", {"title": "T", "path": tmp_path / "large.png"})
+    text = (tmp_path / "p.html").read_text()
+    assert '<img alt="a &lt; b" src="data:image/webp;base64,' in text and "<td>&lt;i&gt;</td>" in text
+    template.write_text("{{ 'x' * 2000001 }}")
+    with pytest.raises(ValueError, match="would have 2000001 bytes, more than 2000000"):
+        pages.html_page(template, tmp_path / "q.html", {})
+    assert not (tmp_path / "q.html").exists()
+    pages.shrink(tmp_path / "large.png", tmp_path / "small.png", 60)
+    assert Image.open(tmp_path / "small.png").size == (60, 80)
+
+
+def test_figures_are_the_same_each_time(tmp_path):
+    for stem in ("a", "b"):
+        figure, axes = plots.new_figure(80, 60)
+        axes.errorbar([1, 2], [1, 2], plots.errors([0.1, math.nan]), label="λ")
+        axes.legend()
+        plots.save(figure, tmp_path / stem, pdf=True)
+    for ending in (".svg", ".png", ".pdf"):
+        assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes(), ending
+    assert Image.open(tmp_path / "a.png").size == (629, 472)  # of 200 a 25.4 mm
+    assert plots.errors([math.nan]) is None
+
+
 def test_a_study_runs_and_is_not_run_again(study, tmp_path):
     done = study("tests/studies/tiny", "smoke=1")
     assert done.returncode == 0, done.stdout
     assert (tmp_path / "results/README.md").read_text() == "0.01025 J after 10 steps\n"
     assert (tmp_path / "results/energy.svg").exists()
+    stamp = ROOT / "build/studies/plugin.version"
+    before = stamp.stat().st_mtime_ns
     assert "Nothing to be done" in study("tests/studies/tiny", "smoke=1").stdout
+    assert stamp.stat().st_mtime_ns == before
+    # From the kept table alone; without one there is nothing to draw.
+    (tmp_path / "results/README.md").unlink()
+    kept = study("tests/studies/tiny", "smoke=1", "kept=1")
+    assert kept.returncode == 0 and "rule page" in kept.stdout and "rule run" not in kept.stdout
+    (tmp_path / "results/README.md").unlink()
+    (tmp_path / "results/energy.csv").unlink()
+    lost = study("tests/studies/tiny", "smoke=1", "kept=1")
+    assert lost.returncode != 0 and "energy.csv" in lost.stdout
+    # On a cluster, here one whose queue is the shell.
+    far = study("tests/studies/tiny", "smoke=1", options=["--cluster", "sh", "--jobs", 2])
+    assert far.returncode == 0 and (tmp_path / "results/energy.csv").exists(), far.stdout
     refused = study("tests/studies/tiny", "smoke=1", "steps=0")
     assert refused.returncode != 0 and "tiny: steps must be >= 1 (got 0)" in refused.stdout
+
+
+# A job that is a process of its own has the folder in which snakemake was started first on its path.
+def test_no_study_hides_a_module_of_python():
+    for path in (ROOT / "studies").glob("*/*.py"):
+        if path.parent.name != "common":
+            assert path.stem not in sys.stdlib_module_names, path

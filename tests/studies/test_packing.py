@@ -11,14 +11,14 @@ import pytest
 
 from conftest import ROOT
 from studies.common import plots, rows
-from studies.packing import beds, figures, numbers
+from studies.packing import beds, figures, measures
 
 STUDY = ROOT / "studies" / "packing"
 
 
 def bed(aspect=10, limits="none", seed=1, **values):
     row = {"lambda": aspect, "limits": limits, "seed": seed, "rods": 500, "vf_inner": 0.4,
-           "vf_whole": 0.35, "vf_theory": numbers.parkhouse_kelly(aspect),
+           "vf_whole": 0.35, "vf_theory": measures.parkhouse_kelly(aspect),
            "vf_random_contacts": 0.45, "mean_elevation_deg": 13.0, "mean_sin_gamma": 0.7,
            "nematic_order": -0.3, "contacts_per_rod": 6.0, "mean_overlap_over_diameter": 1e-3,
            "largest_overlap_over_diameter": 1e-2, "momentary_overlap_over_diameter": 0.2,
@@ -27,7 +27,7 @@ def bed(aspect=10, limits="none", seed=1, **values):
 
 
 def means(*given):
-    return numbers.packing_means(pandas.DataFrame(list(given)))
+    return measures.packing_means(pandas.DataFrame(list(given)))
 
 
 def test_beds_of_one_kind_are_averaged():
@@ -43,16 +43,16 @@ def test_beds_of_one_kind_are_averaged():
 
 # By hand for lambda = 20: V_p = 19/4 + 1/6, V_ex = 361 (2 s/pi) + 38 + 4/3, V_f = 10.5 V_p/V_ex.
 def test_theory():
-    assert numbers.parkhouse_kelly(20) == pytest.approx(0.2995732, abs=1e-6)
-    assert numbers.random_contacts(20, numbers.ISOTROPIC_SIN_GAMMA) == pytest.approx(0.2348370, abs=1e-6)
-    assert numbers.random_contacts(20, numbers.HORIZONTAL_SIN_GAMMA) == pytest.approx(0.2780903, abs=1e-6)
+    assert measures.parkhouse_kelly(20) == pytest.approx(0.2995732, abs=1e-6)
+    assert measures.random_contacts(20, measures.ISOTROPIC_SIN_GAMMA) == pytest.approx(0.2348370, abs=1e-6)
+    assert measures.random_contacts(20, measures.HORIZONTAL_SIN_GAMMA) == pytest.approx(0.2780903, abs=1e-6)
     assert means(bed(20, mean_sin_gamma=pi / 4)).iloc[0]["vf_expected"] == pytest.approx(0.2348370, abs=1e-6)
     assert isnan(means(bed(4)).iloc[0]["vf_expected"])  # not for short rods
     # Aligned rods touch at few places: 10.5 (19/4 + 1/6)/(38 + 4/3) = 1.31 is no fraction.
     assert isnan(means(bed(20, mean_sin_gamma=0.0)).iloc[0]["vf_expected"])
     # Mean elevation of isotropic axes: ∫ a cos a da over 0..pi/2, by the midpoint rule.
     a = (numpy.arange(10000) + 0.5) * pi / 20000
-    assert numbers.ISOTROPIC_ELEVATION_DEG == pytest.approx(
+    assert measures.ISOTROPIC_ELEVATION_DEG == pytest.approx(
         numpy.degrees((a * numpy.cos(a)).sum() * pi / 20000), abs=1e-5)
 
 
@@ -60,13 +60,13 @@ def test_tables_that_cannot_be_right_are_refused(tmp_path):
     def refused(words, *given):
         rows.write_rows(tmp_path / "beds.csv", given)
         with pytest.raises(ValueError, match=words):
-            numbers.read_beds(tmp_path / "beds.csv")
+            measures.read_beds(tmp_path / "beds.csv")
     refused("two rows for one bed", bed(), bed())
     refused("vf_inner is 1.01, wanted from 0 to 1", bed(), bed(20, vf_inner=1.01))
     refused("mean_sin_gamma is nan", bed(), bed(20, mean_sin_gamma=nan))
     (tmp_path / "l.csv").write_text("lambda,vf,vf_error,kind,label,source\n0.5,0.1,,a,b,c\n")
     with pytest.raises(ValueError, match="l.csv: b: wanted lambda >= 1"):
-        numbers.read_literature(tmp_path / "l.csv")
+        measures.read_literature(tmp_path / "l.csv")
 
 
 def bins(*given):
@@ -79,20 +79,20 @@ def bins(*given):
 
 # One bed keeps the error of its counts; n beds scatter sqrt(n) less than one if isotropic.
 def test_orientation_over_beds():
-    one = numbers.elevation_means(bins((1, 0, 30, 1.5), (1, 30, 90, 0.5)))
+    one = measures.elevation_means(bins((1, 0, 30, 1.5), (1, 30, 90, 0.5)))
     assert list(one["density"]) == [1.5, 0.5]
     assert list(one["error"]) == [0.1, 0.1]
     assert one["isotropic_scatter"][0] == pytest.approx(0.1)
     assert one["isotropic_rods"][0] == pytest.approx(100)  # sqrt(0.5 0.5/100) = 0.05
-    two = numbers.elevation_means(bins((1, 0, 30, 1.5), (2, 0, 30, 1.7))).iloc[0]
+    two = measures.elevation_means(bins((1, 0, 30, 1.5), (2, 0, 30, 1.7))).iloc[0]
     assert two["density"] == pytest.approx(1.6)
     assert two["error"] == pytest.approx(0.1)
     assert two["isotropic_scatter"] == pytest.approx(0.1 / sqrt(2))
     assert two["isotropic_rods"] == pytest.approx(200)
     with pytest.raises(ValueError, match="the bin from 30 to 90 degrees has 1 rows for 2 beds"):
-        numbers.elevation_means(bins((1, 0, 30, 1.5), (1, 30, 90, 1), (2, 0, 30, 1)))
+        measures.elevation_means(bins((1, 0, 30, 1.5), (1, 30, 90, 1), (2, 0, 30, 1)))
     with pytest.raises(ValueError, match="2 rows for 1 beds"):
-        numbers.elevation_means(bins((1, 0, 30, 1.5), (1, 0, 30, 1.5)))
+        measures.elevation_means(bins((1, 0, 30, 1.5), (1, 0, 30, 1.5)))
 
 
 def drawn(axes, label):
@@ -132,7 +132,7 @@ def test_curves_of_figure_3():
     assert numpy.interp(20, *curves["random, isotropic"]) == pytest.approx(0.2348, abs=2e-4)
     assert numpy.interp(20, *curves["random, horizontal"]) == pytest.approx(0.2781, abs=2e-4)
     x, y = figures.expected_curve(means(bed(10, mean_sin_gamma=0.6), bed(30, mean_sin_gamma=0.7)))
-    assert numpy.interp(20, x, y) == pytest.approx(numbers.random_contacts(20, 0.65), abs=2e-4)
+    assert numpy.interp(20, x, y) == pytest.approx(measures.random_contacts(20, 0.65), abs=2e-4)
     assert len(figures.expected_curve(means(bed(10)))[0]) == 0
 
 
@@ -140,12 +140,12 @@ def test_curves_of_figure_3():
 # are at 1/4 and 3/4. The band is that of the kind with fewest rods.
 def test_what_figure_4_shows():
     one = bins((1, 0, 30, 1.5), (1, 30, 90, 0.5))
-    figure = figures.elevation_figure(numbers.elevation_means(one))
+    figure = figures.elevation_figure(measures.elevation_means(one))
     x, y, half = drawn(figure.axes[0], "λ = 10, one bed")
     assert x == pytest.approx([0.25, 0.75]) and y == [1.5, 0.5] and half == pytest.approx([0.1, 0.1])
     more = bins((1, 0, 30, 1.5), (2, 0, 30, 1.5), (1, 30, 90, 0.5), (2, 30, 90, 0.5))
     more["lambda"] = 20
-    figure = figures.elevation_figure(numbers.elevation_means(pandas.concat([one, more])))
+    figure = figures.elevation_figure(measures.elevation_means(pandas.concat([one, more])))
     assert "±1 s.d. of 100 isotropic rods" in [t.get_text() for t in figure.axes[0].texts]
     assert [t.get_text() for t in figure.axes[0].get_legend().get_texts()] == \
         ["λ = 10, one bed", "λ = 20, 2 beds"]
@@ -169,7 +169,7 @@ def test_labels_stand_apart():
 
 
 def test_published_values_have_a_source():
-    table = numbers.read_literature(STUDY / "literature.csv")
+    table = measures.read_literature(STUDY / "literature.csv")
     assert (table["source"].str.len() > 20).all()
     assert not table["source"].str.contains("recalled|memory").any()
 
@@ -207,16 +207,16 @@ def test_the_smallest_run(study, tmp_path, programs):
     done = study("packing", "smoke=1")
     assert done.returncode == 0, done.stdout
     results = tmp_path / "results"
-    table = numbers.read_beds(results / "beds.csv")
+    table = measures.read_beds(results / "beds.csv")
     assert list(table["lambda"]) == [10, 10, 20, 20] and set(table["limits"]) == {"none", "study"}
     assert (table["time_s"] == 1.4).all() and (table["rods"] == 60).all()
     for column in rows.PROVENANCE:
         assert table[column].notna().all()
     assert (table["version"] == rows.version()).all()
     # Theory of the page and of rod_packing is one.
-    assert table["vf_theory"].to_numpy() == pytest.approx(numbers.parkhouse_kelly(table["lambda"]).to_numpy())
+    assert table["vf_theory"].to_numpy() == pytest.approx(measures.parkhouse_kelly(table["lambda"]).to_numpy())
     assert table["vf_random_contacts"].to_numpy() == pytest.approx(
-        numbers.random_contacts(table["lambda"], table["mean_sin_gamma"]).to_numpy(), rel=1e-6)
+        measures.random_contacts(table["lambda"], table["mean_sin_gamma"]).to_numpy(), rel=1e-6)
 
     html = (results / "report.html").read_text()
     assert len(html) < 2_000_000
@@ -234,7 +234,7 @@ def test_the_smallest_run(study, tmp_path, programs):
     again = study("packing", "smoke=1")
     assert again.returncode == 0, again.stdout
     assert "rule measure" in again.stdout and "rule pour" not in again.stdout
-    assert len(numbers.read_beds(results / "beds.csv")) == 4
+    assert len(measures.read_beds(results / "beds.csv")) == 4
 
     # The commands of the page, as they can be pasted from the project's folder.
     pasted = tmp_path / "pasted"
