@@ -68,9 +68,12 @@ void FixRestSpherocylinder::parse_options(int narg, char **arg)
 
 int FixRestSpherocylinder::setmask() { return END_OF_STEP; }
 
-void FixRestSpherocylinder::init()
+void FixRestSpherocylinder::init() { gravity_ = find_gravity(); }
+
+// Not in init, which write_restart calls too, nor in setup, which `run pre no` leaves out.
+void FixRestSpherocylinder::begin_run()
 {
-  gravity_ = find_gravity();
+  run_began_ = update->firststep;
   rest_began_ = last_step_ = kNever;
   seconds_at_rest_ = 0.0;
   ended_run_ = false;
@@ -104,6 +107,7 @@ double FixRestSpherocylinder::default_window() const
 
 void FixRestSpherocylinder::end_of_step()
 {
+  if (run_began_ != update->firststep) begin_run();
   if (update->ntimestep == last_step_) {
     end_run_now();
     return;

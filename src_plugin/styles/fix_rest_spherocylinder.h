@@ -33,6 +33,7 @@ class FixRestSpherocylinder : public Fix {
   double gravity_ = 0.0;        // m/s^2
   double mean_energy_ = 0.0, net_force_ = 0.0, net_torque_ = 0.0;  // at the last look
   double seconds_at_rest_ = 0.0;
+  bigint run_began_ = kNever;   // step
   bigint rest_began_ = kNever;  // step
   bigint last_step_ = kNever;   // of the run, once the rods rest
   bool ended_run_ = false;
@@ -41,6 +42,7 @@ class FixRestSpherocylinder : public Fix {
   void parse_options(int narg, char **arg);
   double find_gravity() const;
   double default_window() const;
+  void begin_run();
   void look();
   void announce_last_step();
   void end_run_now();

@@ -16,7 +16,7 @@ constexpr double kStiffness = 1e4;
 constexpr double kWindow = 0.02;
 constexpr double kDt = 1e-4;
 constexpr int kInterval = 10;
-constexpr long kSteps = 2000;  // ten windows
+constexpr long kSteps = 600;  // three windows
 const std::string kFix = fmt::format("fix rested all rest/spherocylinder {} window {}\n", kInterval,
                                      kWindow);
 
@@ -40,7 +40,8 @@ struct Settling {
 };
 
 Settling settle(const DeckFolder &folder, const std::vector<Rod> &rods, const std::string &fixes,
-                int ranks = 1, double friction = 0.0, const std::string &after = "")
+                int ranks = 1, double friction = 0.0, const std::string &after = "",
+                long steps = kSteps)
 {
   Scene scene;
   scene.box_lo[2] = -0.1;
@@ -61,10 +62,10 @@ compute energy all pe
 timestep {}
 thermo_style custom step c_pressure c_energy ke f_rested[1] f_rested[2] f_rested[3] f_rested[4] f_rested[5]
 thermo_modify norm no lost error format float %.17g
-thermo 500
+thermo 300
 {}run {}
 )",
-                               kDt, exact_dump("dump.settle", 600, kFrameColumns), kSteps) +
+                               kDt, exact_dump("dump.settle", 600, kFrameColumns), steps) +
                    after);
   const Outcome outcome = folder.run("in.settle", {Program::Lmp, ranks});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
@@ -99,14 +100,15 @@ TEST_P(EndAtRest, EndsTheRunWithItsOutputAndTheDeckGoesOn)
 {
   const DeckFolder folder;
   const Settling result = settle(folder, {lying_at(-0.3, 0.0), lying_at(0.3, 0.0)}, kFix, GetParam(),
-                                 0.0, "write_restart rested\nprint \"the deck goes on\"\n");
+                                 0.0, "write_restart rested\nvariable ended equal f_rested[5]\n"
+                                 "print \"the deck goes on: ${ended}\"\n");
   const long expected = kInterval + std::lround(kWindow / kDt) + 1;
   EXPECT_EQ(result.last_step, expected) << result.output;
   EXPECT_EQ(rested(result, 5), 1.0);
   EXPECT_NEAR(rested(result, 4), kWindow, 1e-9);
   EXPECT_NE(result.output.find(fmt::format("for {} steps", expected)), std::string::npos)
       << result.output;
-  EXPECT_NE(result.output.find("\nthe deck goes on"), std::string::npos);
+  EXPECT_NE(result.output.find("\nthe deck goes on: 1"), std::string::npos);
 
   const Snapshot frame = read_dump(folder / "dump.settle").back();
   EXPECT_EQ(frame.step, expected);
@@ -177,7 +179,9 @@ TEST(EndAtRestDefault, WindowIsTheFallOfTenDiameters)
 {
   const double window = std::sqrt(20.0 * Rod().diameter / kGravity);
   const double steps = kInterval * (1.0 + std::ceil(window / kDt / kInterval)) + 1.0;
-  EXPECT_EQ(last_step({lying_at(0.3, 0.0)}, "fix rested all rest/spherocylinder 10\n"),
+  const DeckFolder folder;
+  EXPECT_EQ(settle(folder, {lying_at(0.3, 0.0)}, "fix rested all rest/spherocylinder 10\n", 1, 0.0, "",
+                   2000).last_step,
             static_cast<long>(steps));
 }
 
@@ -186,12 +190,15 @@ TEST(EndAtRestDefault, EachRunHasItsWindow)
 {
   const DeckFolder folder;
   const Settling result =
-      settle(folder, {lying_at(0.3, 0.0)}, kFix, 1, 0.0, "run 100\nrun 1000\nrun 300 every 240 NULL\n");
+      settle(folder, {lying_at(0.3, 0.0)}, kFix, 1, 0.0, "run 100\nwrite_restart some\nrun 1000 pre no\nrun 300 every 240 NULL\n"
+                                 "write_restart more\nvariable ended equal f_rested[5]\n"
+                                 "print \"ended: ${ended}\"\n");
   const long first = kInterval + 200 + 1;   // looks at 10, 20 ... 210
   const long second = first + 100;          // 311
   const long third = second + 9 + 200 + 1;  // looks from 320
   const long fourth = third + 9 + 200 + 1 + (300 - 240);
   EXPECT_EQ(result.last_step, fourth) << result.output;
+  EXPECT_NE(result.output.find("\nended: 0"), std::string::npos);  // the last part was too short
 }
 
 }  // namespace

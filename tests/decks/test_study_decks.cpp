@@ -56,6 +56,32 @@ TEST_P(StudyDecks, EachRankHasItsShare)
   }
 }
 
+// quick 1 goes from in.fill to in.settle, with a longer step, and ends at rest with a frame and a
+// restart of that step; without it nothing ends before its time.
+TEST(StudyDecksQuick, EndsAtRest)
+{
+  const DeckFolder folder;
+  for (const char *name : {"in.rods", "in.contact", "in.fill", "in.settle"})
+    std::filesystem::copy(std::filesystem::path(INPUT_FOLDER) / name, folder / name);
+  const std::string vessel =
+      "variable lambda index 5\nvariable vessel_diameter index 0.06\nvariable rods index 60\n"
+      "variable vessel_height index 1.5\nvariable fill_time index 0.6\n"
+      "variable limit_fill index 0\n";
+  folder.write("in.fill_case", vessel + "variable quick index 1\ninclude in.fill\n");
+  ASSERT_EQ(folder.run("in.fill_case").exit_code, 0);
+  folder.write("in.settle_case", "variable vessel_height index 1.5\nvariable limit_settle index 0\n"
+                                 "include in.settle\nvariable ended equal f_rested[5]\n"
+                                 "print \"ended ${ended} at step $(step) of ${dt} s\"\n");
+  const Outcome outcome = folder.run("in.settle_case");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const Table thermo = read_thermo(outcome.output);
+  const double last = thermo.rows.back()[0];
+  EXPECT_LT(last * 8e-5, 3.9);
+  EXPECT_NE(outcome.output.find("ended 1 at"), std::string::npos) << outcome.output;
+  EXPECT_EQ(read_dump(folder / "dump.settle").back().step, static_cast<long>(last));
+  EXPECT_TRUE(std::filesystem::exists(folder / "restart.settle"));
+}
+
 INSTANTIATE_TEST_SUITE_P(, StudyDecks, testing::Values(1, 2, 3, 4),
                          [](const auto &info) { return "ranks" + std::to_string(info.param); });
 
