@@ -222,7 +222,7 @@ void check_motion(const Plan &plan, const Run &run, const std::vector<State> &st
     if (effects.only_internal) check_momentum(run, from, to, time);
     if (effects.forces_known) check_flight(plan, run, from, to, time);
     if (effects.driven.empty() && effects.forces_known) check_walls(plan, effects, from, to);
-    if (effects.omega_limit > 0.0)
+    if (effects.omega_limit > 0.0 && !effects.unknown_held)
       for (const auto &[id, rod] : to.rods)
         if (!effects.driven.count(id) && norm(rod.omega) > effects.omega_limit * (1.0 + 1e-9))
           throw Wrong(fmt::format("rod {} turns with {} at step {}, limit {}", id, norm(rod.omega),
