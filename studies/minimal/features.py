@@ -121,7 +121,8 @@ def variables(scene: dict, change: dict, number: int, seed: int, steps: int, sta
         drop = number * solid / (0.02 * 3.1416 * vessel ** 2) + 2 * length
         box, height, boundary = vessel + length, drop + length, "f"
     else:
-        side = (number * solid / 0.05) ** (1 / 3)
+        # 5 % solid; rods are placed half a length from its faces.
+        side = max((number * solid / 0.05) ** (1 / 3), 3 * length)
         drop, box, height, boundary = 1.0, side / 2, side - 0.05, "p"
     atoms = change.get("atoms", "spherocylinder")
     return {"atoms": atoms, "spheres": int(atoms == "sphere"), "boundary": boundary,
