@@ -58,8 +58,8 @@ def collect(paths, packing, out) -> None:
 
 def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int, number: int,
             build) -> None:
-    """Writes the seconds to a settled bed by the decks' default and by quick 1, with the study's
-    limits on the angular velocity and with none, in turns."""
+    """Writes the processor seconds (user and system) to a settled bed by the decks' default and by
+    quick 1, in turns."""
     folder = Path(path).resolve().with_suffix("")
     took: dict[tuple, list[float]] = {}
     last: dict[tuple, settling.Settled] = {}
@@ -68,7 +68,7 @@ def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int,
             for way in ("full", "quick"):
                 last[limits, way] = settle(folder / f"{limits}_{way}", aspect, seed, way, limits,
                                            number, build)
-                took.setdefault((limits, way), []).append(last[limits, way].wall_seconds)
+                took.setdefault((limits, way), []).append(last[limits, way].cpu_seconds)
     write_rows(path, [{
         "lambda": aspect, "limits": limits, "way": way, "seconds": numpy.median(values),
         "seconds_min": min(values), "seconds_max": max(values), "turns": turns,
