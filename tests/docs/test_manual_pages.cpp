@@ -39,7 +39,7 @@ bool is_runnable(const Block &block)
 bool is_of_a_tool(const ManualPage &page)
 {
   return page.name.rfind("rod_", 0) == 0 || page.name == "rods_to_multisphere" ||
-         page.name == "multisphere_to_rods";
+         page.name == "multisphere_to_rods" || page.name == "place_rods";
 }
 
 bool is_of_a_style(const ManualPage &page)

@@ -394,7 +394,7 @@ TEST_F(Multisphere, ExamplesOfThePages)
   write("fibres.dump", std::string(spheres).replace(spheres.find(" mol "), 5, " f_fibre "));
   write("bed.dump", dump_text({{1, 1, {{{0, 0, 1}, {0, 0, 1}, 0.045}, 0.005}}}, 0));
   write("pour.dump", dump_text({{1, 1, {{{0, 0, 1}, {1, 0, 0}, 0.045}, 0.005}}}, 500));
-  for (const std::string tool : {"rods_to_multisphere", "multisphere_to_rods"}) {
+  for (const std::string tool : {"rods_to_multisphere", "multisphere_to_rods", "place_rods"}) {
     const auto commands = examples_of_page(PROJECT_FOLDER "/docs/" + tool + ".md", tool);
     EXPECT_EQ(commands.size(), 3u);
     for (const std::string &command : commands) EXPECT_EQ(run(command), 0) << command << out_;
