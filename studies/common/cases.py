@@ -45,9 +45,10 @@ def program_path(name: str, build: Path | str | None = None) -> str:
 
 def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None,
              program: str = "lmp", ranks: int = 1, build: Path | str | None = None,
-             name: str | None = None) -> Run:
+             name: str | None = None, under: tuple = ()) -> Run:
     """Runs a deck with `folder` as its working folder; leaves log.NAME and screen.NAME there, NAME
-    being the deck's name without `in.` unless given. Raises CaseError with the deck's ERROR line.
+    being the deck's name without `in.` unless given. `under`: the words of a program under which
+    each rank is run, as `time` or `prlimit`. Raises CaseError with the deck's ERROR line.
     """
     folder = Path(folder)
     deck = str(deck)
@@ -58,8 +59,9 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
     for variable, value in (variables or {}).items():
         values = value if isinstance(value, (list, tuple)) else [value]
         command += ["-var", variable, *map(str, values)]
+    spread = []
     if ranks > 1:
-        command = ["mpirun", "-np", str(ranks), "--oversubscribe", "--bind-to", "none", *command]
+        spread = ["mpirun", "-np", str(ranks), "--oversubscribe", "--bind-to", "none"]
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1",
                        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     # Single ranks of Open MPI share, and remove, one session folder; its path must be short.
@@ -67,8 +69,9 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
         environment["OMPI_MCA_orte_tmpdir_base"] = session
         if ranks == 1:
             environment["OMPI_MCA_ess_singleton_isolated"] = "1"
-        process = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
-                                   stdout=out, stderr=subprocess.STDOUT)
+        process = subprocess.Popen([*spread, *map(str, under), *command], cwd=folder,
+                                   env=environment, stdin=subprocess.DEVNULL, stdout=out,
+                                   stderr=subprocess.STDOUT)
         try:
             _, status, usage = os.wait4(process.pid, 0)
         except BaseException:
@@ -77,7 +80,7 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
         process.returncode = os.waitstatus_to_exitcode(status)
     text = screen.read_text(errors="replace")
     typed = shlex.join([program if word == start else word.replace(f"{ROOT}/", "")
-                        for word in command])
+                        for word in [*spread, *command]])
     reason = failure(text, process.returncode)
     if reason:
         raise CaseError(f"{reason} (in {folder}: {typed}; all of it in {screen})")

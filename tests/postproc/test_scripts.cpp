@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// scripts/setup, scripts/build and bench/run with programs that stand in for apt-get, cmake, lmp and
-// so on: what they ask for, what they leave alone, where their files go.
+// scripts/setup and scripts/build with programs that stand in for apt-get and cmake: what they ask for,
+// what they leave alone.
 #include <sys/wait.h>
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ class Scripts : public ScratchFolder {
   void SetUp() override
   {
     const fs::path project = PROJECT_FOLDER;
-    for (const char *part : {"scripts", "bench", "input"})
+    for (const char *part : {"scripts", "input"})
       fs::copy(project / part, folder() / part, fs::copy_options::recursive);
     fs::create_directories(folder() / "bin");
     fs::create_directories(folder() / "build/release");
@@ -115,89 +115,6 @@ TEST_F(Scripts, BuildTakesTargets)
             "--preset release\n--build --preset release\n"
             "--preset dev\n--build --preset dev\n"
             "--preset release\n--build --preset release --target lmp rod_packing\n");
-}
-
-class Bench : public Scripts {
- protected:
-  void SetUp() override
-  {
-    Scripts::SetUp();
-    write_program("scripts/setup", "");
-    for (const char *program : {"cmake", "mpirun", "gnuplot"})
-      write_program(fmt::format("bin/{}", program),
-                    fmt::format("echo \"$*\" >>'{}/{}.calls'\n", folder().string(), program));
-    // Of time's options only the file and the command matter.
-    write_program("bin/time", R"(file=/dev/stderr
-while [ $# -gt 0 ]; do
-  case $1 in -a) shift ;; -o) file=$2; shift 2 ;; -f) shift 2 ;; *) break ;; esac
-done
-"$@"; echo 50000 >>$file
-)");
-    write_program("build/release/place_rods", "");
-    const std::string lmp = fmt::format(R"(while [ $# -gt 0 ]; do
-  case $1 in
-    -in) deck=$2; shift ;;
-    -log) log=$2; shift ;;
-    -var) eval "$2=$3"; shift 2 ;;
-  esac
-  shift
-done
-[ "$log" != none ] || exit 0
-echo "$deck $lambda $rods" >>'{0}/calls'
-echo 'Loop time of 0.25' >"$log"
-printf 'ITEM: ATOMS\n1 0 0 0.01\n' >"$folder/dump.final"
-)",
-                                        folder().string());
-    write_program("build/release/lmp", lmp);
-    write_program("bin/liggghts", lmp);
-  }
-
-  // A gas too large for glued rods: a row of the plug-in alone.
-  int time_gas(const std::string &options)
-  {
-    return run("bench/run --case 'gas 30 20000 1' --runs 1 " + options);
-  }
-};
-
-// Kept results stay as they are; those of this machine go to the build folder.
-TEST_F(Bench, ResultsOfThisMachine)
-{
-  const std::string kept = read("bench/results/speed.csv");
-  EXPECT_EQ(kept.rfind("# machine: ", 0), 0u);
-  ASSERT_EQ(time_gas(""), 0) << read("error.txt");
-  EXPECT_EQ(read("calls"), "in.start_gas 30 20000\nin.time_plugin 30 20000\n");
-  EXPECT_EQ(read("bench/results/speed.csv"), kept);
-  EXPECT_EQ(read("cmake.calls"),
-            "--preset release -DSPHEROCYLINDER_BENCHMARKS=ON\n"
-            "--build --preset release --target lmp spherocylinder place_rods\n");
-
-  // 0.25 s for 20000 rods and 500 steps are 0.025 us.
-  const std::string csv = read("build/bench/results/speed.csv");
-  EXPECT_EQ(csv.rfind("# machine: ", 0), 0u) << csv;
-  EXPECT_NE(csv.find("\nscene,lambda,rods,ranks,steps,"), std::string::npos) << csv;
-  EXPECT_NE(csv.find("\ngas,30,20000,1,500,plugin,0.025,"), std::string::npos) << csv;
-  EXPECT_NE(read("gnuplot.calls").find("out='" + path("build/bench/results/speed") + "'"),
-            std::string::npos);
-
-  // Again: the row is there. Anew: timed again, and there once.
-  ASSERT_EQ(time_gas(""), 0) << read("error.txt");
-  EXPECT_EQ(read("calls"), "in.start_gas 30 20000\nin.time_plugin 30 20000\n");
-  ASSERT_EQ(time_gas("--fresh"), 0) << read("error.txt");
-  EXPECT_EQ(read("calls"),
-            "in.start_gas 30 20000\nin.time_plugin 30 20000\nin.time_plugin 30 20000\n");
-  const std::string again = read("build/bench/results/speed.csv");
-  EXPECT_EQ(again.find("gas,30,20000"), again.rfind("gas,30,20000")) << again;
-}
-
-// A fresh clone has a kept table: no reason to time nothing, and not to be mixed with.
-TEST_F(Bench, TablesOfOtherMachines)
-{
-  EXPECT_EQ(time_gas("--out bench/results"), 2);
-  EXPECT_NE(read("error.txt").find("bench/run: the first line of " +
-                                   path("bench/results/speed.csv") + " is not '# machine: "),
-            std::string::npos)
-      << read("error.txt");
-  EXPECT_FALSE(fs::exists(folder() / "calls"));
 }
 
 }  // namespace

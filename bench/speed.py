@@ -1,0 +1,276 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Whole scenes timed, the plug-in beside rods glued of spheres: how a scene begins, its timed runs in
+turns, its rows, the figure. The Snakefile calls it:
+    speed.py start SCENE LAMBDA RODS --settings JSON --build DIR --folder DIR
+    speed.py time SCENE LAMBDA RODS RANKS --settings JSON --build DIR --folder DIR --out CSV
+"""
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy
+import pandas
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent)]
+
+from studies.common import cases, plots, rows  # noqa: E402
+
+DIAMETER, DENSITY = 0.01, 2700  # m, kg/m³; those of input/in.rods
+STIFFNESS = 2.0e4               # N/m, times lambda; the same
+MOST_PLACED = 2000              # rods of a gas; larger ones are copies of it
+COPIES = {10: (5, 2, 1), 100: (5, 5, 4)}
+COLUMNS = ["scene", "lambda", "rods", "ranks", "steps", "code", "us_per_rod_and_step", "us_min",
+           "us_max", "peer_over_plugin", "contacts_per_rod", "memory_kB_per_rod", "peak_MB",
+           "checksum", "load"]
+ORDER = ["scene", "rods", "ranks", "lambda"]
+
+
+@dataclass(frozen=True)
+class Scene:
+    side: bool = False     # the study's vessel, else periodic
+    floor: bool = False
+    poured: bool = False   # by in.fill, else from place_rods
+    settles: bool = False  # glued rods do, before they are timed
+    skin: float = 0.8      # of the peer, in diameters: near the fastest of 0.1 to 1.6
+
+
+SCENES = {"bed": Scene(side=True, floor=True, poured=True, settles=True, skin=0.2),
+          "fill": Scene(side=True, floor=True, poured=True),
+          "gas": Scene(), "dilute": Scene(), "dense": Scene(),
+          "periodic_bed": Scene(floor=True, settles=True, skin=0.2)}
+
+
+def solid(scene: str, aspect: int) -> float:
+    return {"dilute": 0.5 / aspect, "dense": 0.15}.get(scene, 0.05)
+
+
+def spheres_of(aspect: int, count: int, settings: dict) -> list[int]:
+    """Numbers of spheres of the glued rods: they touch, and they overlap by half."""
+    return [aspect, 2 * aspect - 1] if count <= settings["largest_peer"] else []
+
+
+def link_all(folder: Path) -> None:
+    decks = [*(HERE.parent / "input").glob("in.*"), *(HERE / "scenes").glob("in.*"),
+             HERE.parent / "examples" / "multisphere" / "in.law"]
+    cases.link_decks(folder, decks)
+
+
+def variables(scene: str, aspect: int, count: int) -> dict:
+    s = SCENES[scene]
+    vessel = round(0.02 * aspect + 0.01, 12) if s.side else 0.01
+    return {"lambda": aspect, "rods": count, "vessel_diameter": vessel,
+            "has_side": int(s.side), "has_floor": int(s.floor)}
+
+
+def peer_variables(scene: str, aspect: int, count: int, n: int, folder: Path) -> dict:
+    values = variables(scene, aspect, count)
+    box = (folder / f"peer.{n}.box").read_text()
+    return {**values, "rods": f"peer.{n}", "rod_mass": re.search(r"rod_mass index (\S+)", box)[1],
+            "kn": STIFFNESS * aspect, "skin": SCENES[scene].skin * DIAMETER}
+
+
+def start(scene: str, aspect: int, count: int, settings: dict, build: Path, folder: Path) -> None:
+    """Leaves what the timed runs begin with: restart.start, restart.peer.N."""
+    s, values = SCENES[scene], variables(scene, aspect, count)
+    shutil.rmtree(folder, ignore_errors=True)
+    link_all(folder)
+
+    def lmp(deck, **more):
+        cases.run_deck(folder, f"in.{deck}", {**values, **more}, build=build)
+
+    if s.poured:
+        filling = settings["poured"] if scene == "bed" else settings["filling"]
+        lmp("fill", out=".", fill_time=filling, total_time=settings["rested"], limit_fill=0,
+            dump_every=10_000_000, seed=settings["seed"])
+        if scene == "bed":
+            cases.run_deck(folder, "in.settle", {"out": ".", "limit_settle": 0,
+                                                 "dump_every": 10_000_000}, build=build)
+        lmp("start_bed", **{"from": "restart.settle" if scene == "bed" else "restart.fill"})
+    else:
+        times = max(1, count // MOST_PLACED)
+        cases.run_tool("place_rods", "--lambda", aspect, "--solid", solid(scene, aspect),
+                       "--rods", count // times, "--copies", *COPIES.get(times, (times, 1, 1)),
+                       "--seed", settings["seed"], *(["--floor"] if s.floor else []),
+                       "--out", folder / "gas.data", build=build)
+        lmp("start_gas", seconds=settings["fallen"] if s.floor else 0)
+        (folder / "gas.data").unlink()
+    for n in spheres_of(aspect, count, settings):
+        prefix = f"peer.{n}"
+        # Above a bed and beside its vessel the box is cut off: bins there cost memory and time.
+        subprocess.run([cases.program_path("rods_to_multisphere", build), "dump.start",
+                        "--spheres", str(n), "--fit", str(aspect * DIAMETER), "--out", prefix],
+                       cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        cases.run_deck(folder, "in.start_spheres",
+                       {**peer_variables(scene, aspect, count, n, folder),
+                        "seconds": settings["peer_settled"] if s.settles else 0},
+                       program="liggghts", name=f"start_{n}")
+        (folder / f"{prefix}.bodies").unlink()
+
+
+def available_kB() -> int:
+    text = Path("/proc/meminfo").read_text()
+    return int(re.search(r"^MemAvailable:\s*(\d+)", text, re.MULTILINE)[1])
+
+
+def measured(peak: Path) -> tuple:
+    """Words under which each rank of a run adds its largest resident memory (kB) to a file. What
+    asks for more memory than there is ends with an error, not by the machine's choice of a process."""
+    found = shutil.which("time")
+    if not found:
+        raise cases.CaseError("the program time is not there: scripts/setup --studies installs it")
+    peak.unlink(missing_ok=True)
+    most = available_kB() * 1024 * 9 // 10
+    return ("prlimit", f"--as={most}:", found, "-a", "-o", peak.resolve(), "-f", "%M")
+
+
+def idle_kB(program: str, build: Path, folder: Path) -> int:
+    """Of a program that has loaded its libraries and run one command."""
+    (folder / "in.idle").unlink(missing_ok=True)
+    (folder / "in.idle").write_text("print ready\n")
+    peak = folder / "peak.idle"
+    cases.run_deck(folder, "in.idle", program=program, build=build, under=measured(peak))
+    return int(peak.read_text())
+
+
+def checksum(dump: Path) -> float:
+    """Sum of id (x + y + z) / sum of id, in diameters: one number that every coordinate is part
+    of."""
+    table = pandas.read_csv(dump, sep=r"\s+", skiprows=9, header=None, names=["id", "x", "y", "z"],
+                            float_precision="round_trip")
+    return (table["id"] * (table["x"] + table["y"] + table["z"])).sum() / table["id"].sum() / DIAMETER
+
+
+def time_once(code: str, scene: str, aspect: int, count: int, ranks: int, settings: dict,
+              build: Path, folder: Path) -> dict:
+    """One timed run of "plugin" or of a number of spheres."""
+    own, peers = settings["steps"][scene]
+    peak = folder / "peak"
+    if code == "plugin":
+        run = cases.run_deck(folder, "in.time_plugin",
+                             {**variables(scene, aspect, count), "steps": own}, ranks=ranks,
+                             build=build, under=measured(peak))
+    else:
+        run = cases.run_deck(folder, "in.time_spheres",
+                             {**peer_variables(scene, aspect, count, int(code), folder),
+                              "steps": peers}, program="liggghts", ranks=ranks,
+                             under=measured(peak), name=f"time_{code}")
+    log = run.log.read_text(errors="replace")
+    result = {"seconds": float(re.search(r"^Loop time of (\S+)", log, re.MULTILINE)[1]),
+              "steps": own if code == "plugin" else peers, "command": run.command,
+              "peak_kB": sum(map(int, peak.read_text().split())),
+              "checksum": checksum(folder / "dump.final"), "contacts": math.nan}
+    if code == "plugin":
+        result["contacts"] = float(cases.read_log(run.log)[0]["contacts"].iloc[-1])
+    (folder / "dump.final").unlink()
+    return result
+
+
+def rows_of(runs: dict[str, list[dict]], scene: str, aspect: int, count: int, ranks: int,
+            idle: dict[str, int], load: float) -> list[dict]:
+    """A row a code from its runs, which took turns."""
+    result = []
+    for code, of_code in runs.items():
+        us = [1e6 * r["seconds"] / r["steps"] / count for r in of_code]
+        own = [1e6 * r["seconds"] / r["steps"] / count for r in runs["plugin"]]
+        last = of_code[-1]
+        idle_of_code = idle["lmp" if code == "plugin" else "liggghts"] * ranks
+        result.append({
+            "scene": scene, "lambda": aspect, "rods": count, "ranks": ranks,
+            "steps": last["steps"], "code": "plugin" if code == "plugin" else f"multisphere n={code}",
+            "us_per_rod_and_step": f"{numpy.median(us):.4g}", "us_min": f"{min(us):.4g}",
+            "us_max": f"{max(us):.4g}",
+            # Of each turn, then the median: what slows the machine for a while slows both.
+            "peer_over_plugin": f"{numpy.median([a / b for a, b in zip(us, own)]):.4g}",
+            "contacts_per_rod": last["contacts"],
+            "memory_kB_per_rod": f"{(last['peak_kB'] - idle_of_code) / count:.2f}",
+            "peak_MB": f"{last['peak_kB'] / 1024:.1f}", "checksum": f"{last['checksum']:.12g}",
+            "load": f"{load:.2f}", "command": last["command"]})
+    return result
+
+
+def time_case(scene: str, aspect: int, count: int, ranks: int, settings: dict, build: Path,
+              folder: Path) -> list[dict]:
+    link_all(folder)
+    load = os.getloadavg()[0]
+    codes = ["plugin", *map(str, spheres_of(aspect, count, settings))]
+    idle = {program: idle_kB(program, build, folder) for program in ("lmp", "liggghts")}
+    runs: dict[str, list[dict]] = {code: [] for code in codes}
+    for _ in range(settings["turns"]):
+        for code in codes:
+            runs[code].append(
+                time_once(code, scene, aspect, count, ranks, settings, build, folder))
+    table = rows_of(runs, scene, aspect, count, ranks, idle, load)
+    return [{**row, **rows.provenance(row["command"], settings["seed"])} for row in table]
+
+
+def figure(table: pandas.DataFrame, stem: Path | str) -> None:
+    """Microseconds a rod and step of one core against the aspect ratio; bars: extremes of the
+    runs."""
+    fig, ax = plots.new_figure(160, 95)
+    one = table[table["ranks"] == 1]
+    lines = [("settled bed", one[one["scene"] == "bed"], "blue", True)]
+    for count, colour in ((2000, "vermilion"), (20000, "green"), (200000, "purple")):
+        lines.append((f"gas of {count:,}", one[(one["scene"] == "gas") & (one["rods"] == count)],
+                      colour, count == 2000))
+    for name, of_scene, colour, with_peers in lines:
+        glued = of_scene["code"].str.extract(r"n=(\d+)")[0].astype(float)
+        kinds = [("rods", of_scene["code"] == "plugin", "-", "o")]
+        if with_peers:
+            kinds += [("λ spheres", glued == of_scene["lambda"], plots.DASHES[1], "s"),
+                      ("2λ − 1 spheres", glued == 2 * of_scene["lambda"] - 1, plots.DASHES[2], "D")]
+        for kind, chosen, dash, marker in kinds:
+            points = of_scene[chosen].sort_values("lambda")
+            if points.empty:
+                continue
+            us = points["us_per_rod_and_step"]
+            ax.errorbar(points["lambda"], us, yerr=[us - points["us_min"], points["us_max"] - us],
+                        color=plots.COLOURS[colour], linestyle=dash, marker=marker, capsize=2,
+                        markerfacecolor=None if kind == "rods" else "white",
+                        label=f"{name}: {kind}")
+    ax.set(xscale="log", yscale="log", xlabel="aspect ratio λ",
+           ylabel="µs a rod and step, one core")
+    ticks = sorted(set(one["lambda"]))
+    ax.set_xticks(ticks, [str(t) for t in ticks])
+    ax.minorticks_off()
+    ax.legend(loc="center left", bbox_to_anchor=(1.02, 0.5))
+    plots.save(fig, stem)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="work", required=True)
+    for name in ("start", "time"):
+        command = commands.add_parser(name)
+        command.add_argument("scene", choices=SCENES)
+        for number in ("aspect", "rods", *(["ranks"] if name == "time" else [])):
+            command.add_argument(number, type=int)
+        command.add_argument("--settings", type=json.loads, required=True)
+        command.add_argument("--build", type=Path, required=True)
+        command.add_argument("--folder", type=Path, required=True)
+        if name == "time":
+            command.add_argument("--out", type=Path, required=True)
+    given = parser.parse_args()
+    try:
+        if given.work == "start":
+            start(given.scene, given.aspect, given.rods, given.settings, given.build, given.folder)
+        else:
+            rows.write_rows(given.out, time_case(given.scene, given.aspect, given.rods, given.ranks,
+                                                 given.settings, given.build, given.folder))
+    except cases.CaseError as error:
+        sys.exit(f"{given.scene} {given.aspect} {given.rods}: {error}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""bench/Snakefile: rows from runs in turns, the smallest run of the graph, the page from the kept table."""
+import math
+import re
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pandas
+import pytest
+
+from bench import page, speed
+from studies.common import pages
+from studies.common.rows import PROVENANCE, read_rows
+
+ROOT = Path(__file__).resolve().parents[2]
+KEPT = ROOT / "bench" / "results" / "speed.csv"
+
+
+def run_of(seconds, steps, peak_kB, contacts=math.nan):
+    return {"seconds": seconds, "steps": steps, "peak_kB": peak_kB, "contacts": contacts,
+            "checksum": 1.5, "command": "lmp"}
+
+
+# Times a rod and step by hand. The machine is half as fast in the second turn: the ratios of the
+# turns, 4, 5 and 4.5, do not see it, those of the medians would be 5.
+def test_rows_of_three_turns():
+    runs = {"plugin": [run_of(s, 1000, 40_000, 3.0) for s in (0.1, 0.2, 0.1)],
+            "19": [run_of(s, 100, 90_000) for s in (0.04, 0.1, 0.045)]}
+    own, peer = speed.rows_of(runs, "bed", 10, 500, 1, {"lmp": 30_000, "liggghts": 20_000}, 0.25)
+    assert own["code"] == "plugin" and peer["code"] == "multisphere n=19"
+    assert [float(own[c]) for c in ("us_per_rod_and_step", "us_min", "us_max")] == [0.2, 0.2, 0.4]
+    assert float(peer["us_per_rod_and_step"]) == pytest.approx(0.9)
+    assert float(own["peer_over_plugin"]) == 1
+    assert float(peer["peer_over_plugin"]) == 4.5
+    assert own["contacts_per_rod"] == 3.0 and math.isnan(peer["contacts_per_rod"])
+    assert float(own["memory_kB_per_rod"]) == 20  # 10,000 kB above the idle program
+    assert float(peer["memory_kB_per_rod"]) == 140
+    assert list(own)[:len(speed.COLUMNS)] == speed.COLUMNS
+
+
+# Two ranks load the program twice.
+def test_idle_memory_of_each_rank():
+    runs = {"plugin": [run_of(1.0, 100, 100_000, 0.0)]}
+    [row] = speed.rows_of(runs, "gas", 10, 1000, 2, {"lmp": 30_000, "liggghts": 0}, 0.0)
+    assert float(row["memory_kB_per_rod"]) == 40
+
+
+def test_checksum(tmp_path):
+    dump = tmp_path / "dump"
+    dump.write_text("head\n" * 9 + "1 0.1 0.2 0.3\n3 0.4 0.5 0.6\n")
+    assert speed.checksum(dump) == pytest.approx((0.6 + 3 * 1.5) / 4 / 0.01)
+
+
+# 5 % solid; dilute: as many contacts a rod as λ = 10, which go with λ times the solid part.
+def test_solid_parts():
+    for aspect in (10, 30, 100):
+        assert speed.solid("dilute", aspect) * aspect == pytest.approx(speed.solid("gas", 10) * 10)
+    assert speed.spheres_of(30, 2000, {"largest_peer": 2000}) == [30, 59]
+    assert speed.spheres_of(30, 2001, {"largest_peer": 2000}) == []
+
+
+# From end to end; a second time nothing is timed again.
+def test_smallest_run(study, tmp_path):
+    done = study("bench/", "smoke=1", "scenes=[bed,gas]")
+    assert done.returncode == 0, done.stdout
+    table = read_rows(tmp_path / "results" / "speed.csv")
+    assert list(table.columns) == speed.COLUMNS + list(PROVENANCE)
+    cases = table[["scene", "lambda", "rods", "ranks", "code"]].values.tolist()
+    assert cases == [["bed", 10, 20, 1, code] for code in
+                     ("plugin", "multisphere n=10", "multisphere n=19")] + \
+        [["gas", 5, 80, ranks, code] for ranks in (1, 2) for code in
+         ("plugin", "multisphere n=5", "multisphere n=9")] + [["gas", 5, 160, 1, "plugin"]]
+    assert (table["us_min"] <= table["us_per_rod_and_step"]).all()
+    assert (table["us_per_rod_and_step"] <= table["us_max"]).all()
+    assert (table["us_min"] > 0).all()
+    own = table[table["code"] == "plugin"]
+    assert (own["peer_over_plugin"] == 1).all() and own["contacts_per_rod"].notna().all()
+    # The codes begin alike, and do not go far in 40 steps: the mean of x + y + z over spheres and rods
+    # differs by the numbers they have only. Of the plug-in one and two ranks end at the same places.
+    gas = table[(table["scene"] == "gas") & (table["rods"] == 80)]
+    of_code = gas.groupby("code")["checksum"]
+    assert (of_code.max() - of_code.min() < 1e-6).all()
+    assert set(table["seed"]) == {86028121}
+    assert (tmp_path / "results" / "speed.svg").stat().st_size > 1000
+
+    again = study("bench/", "smoke=1", "scenes=[bed,gas]")
+    assert again.returncode == 0 and "Nothing to be done" in again.stdout, again.stdout
+
+
+@pytest.mark.parametrize("settings, sentence", [
+    (["scenes=[bad]"], "bench: scenes must be of bed, fill, gas, dilute, dense, periodic_bed (got 'bad')"),
+    (["turns=0"], "bench: turns must be a whole number > 0 (got 0)"),
+    (["cases={bed: [[10,500]]}"], "bench: a case must be [lambda, rods, ranks]"),
+    (["cases={bed: []}", "scenes=[bed]"], "bench: there are no cases of these scenes"),
+])
+def test_wrong_settings(study, settings, sentence):
+    done = study("bench/", *settings, targets=["-n"])
+    assert done.returncode != 0 and sentence in done.stdout, done.stdout
+
+
+# The page holds what its table does.
+def test_page_is_made_of_the_kept_table(tmp_path):
+    out = tmp_path / "README.md"
+    pages.render(ROOT / "bench" / "README.md.j2", out, page.values(read_rows(KEPT)))
+    assert out.read_text() == (ROOT / "bench" / "README.md").read_text()
+
+
+def test_kept_figure_shows_the_kept_table(tmp_path):
+    table = read_rows(KEPT)
+    speed.figure(table, tmp_path / "speed")
+    svg = (tmp_path / "speed.svg").read_text()
+    assert svg == (ROOT / "bench" / "results" / "speed.svg").read_text()
+    for label in ("settled bed: rods", "gas of 2,000: λ spheres", "gas of 200,000: rods"):
+        assert label in svg or label.replace("λ", "&#955;") in svg
+
+
+def test_a_missing_row_is_said():
+    table = read_rows(KEPT)
+    with pytest.raises(ValueError, match="speed.csv has 0 rows of bed 11 500 1 plugin, wanted one"):
+        page.values(table)["us"]("bed", 11, 500)
