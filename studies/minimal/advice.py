@@ -51,9 +51,9 @@ def collect(paths, packing, out) -> None:
             "time_s": "end_time_s", "mean_overlap_over_diameter": "overlap_mean",
             "largest_overlap_over_diameter": "overlap_max",
             "momentary_overlap_over_diameter": "overlap_ever"}).assign(way="full")
-        kept = kept[(kept["limits"] == "study") & kept["lambda"].isin(table["lambda"])]
+        kept = kept[kept["limits"].isin(table["limits"]) & kept["lambda"].isin(table["lambda"])]
         table = pandas.concat([table, kept[[c for c in table if c in kept]]], ignore_index=True)
-    write_rows(out, table.sort_values(["lambda", "way", "seed"], kind="stable"))
+    write_rows(out, table.sort_values(["limits", "lambda", "way", "seed"], kind="stable"))
 
 
 def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int, number: int,
@@ -79,24 +79,32 @@ def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int,
 
 
 def equivalences(runs: pandas.DataFrame, bound: float) -> list[dict]:
-    """For each aspect ratio, and for all together (0), whether quick 1 gives the same means as the
-    default within `bound`: relative, 90 % confidence intervals, as two one-sided tests of 5 % have."""
-    relative = []
-    for aspect, part in runs.groupby("lambda"):
-        means = part[part["way"] != "quick"][list(QUANTITIES)].mean()
-        relative.append(part.assign(**{q: part[q] / means[q] for q in QUANTITIES}))
-    everything = pandas.concat(relative).assign(**{"lambda": 0.0})
+    """For each kind of limits and aspect ratio, and for all ratios together (0), whether quick 1 gives
+    the same means as the default within `bound`: relative, 90 % confidence intervals, as two one-sided
+    tests of 5 % have."""
     result = []
-    for aspect, part in [*pandas.concat(relative).groupby("lambda"), (0.0, everything)]:
-        today, quick = part[part["way"] != "quick"], part[part["way"] == "quick"]
-        for quantity, name in QUANTITIES.items():
-            if min(len(today), len(quick)) < 2:
-                continue
-            found = equivalence(today[quantity], quick[quantity], bound)
-            result.append({"lambda": aspect, "quantity": quantity, "beds_today": len(today),
-                           "beds_quick": len(quick), "difference": found.difference,
-                           "low": found.low, "high": found.high, "bound": bound,
-                           "equivalent": int(found.equivalent),
-                           "scatter_today": today[quantity].std(ddof=1),
-                           "scatter_quick": quick[quantity].std(ddof=1)})
+    for limits, beds in runs.groupby("limits", sort=False):
+        relative = []
+        for _, part in beds.groupby("lambda"):
+            means = part[part["way"] != "quick"][list(QUANTITIES)].mean()
+            relative.append(part.assign(**{q: part[q] / means[q] for q in QUANTITIES}))
+        everything = pandas.concat(relative)
+        for aspect, part in [*everything.groupby("lambda"), (0.0, everything)]:
+            result += equivalences_of(part, bound, {"limits": limits, "lambda": aspect})
+    return result
+
+
+def equivalences_of(beds: pandas.DataFrame, bound: float, which: dict) -> list[dict]:
+    today, quick = beds[beds["way"] != "quick"], beds[beds["way"] == "quick"]
+    result = []
+    for quantity in QUANTITIES:
+        if min(len(today), len(quick)) < 2:
+            continue
+        found = equivalence(today[quantity], quick[quantity], bound)
+        result.append({**which, "quantity": quantity, "beds_today": len(today),
+                       "beds_quick": len(quick), "difference": found.difference,
+                       "low": found.low, "high": found.high, "bound": bound,
+                       "equivalent": int(found.equivalent),
+                       "scatter_today": today[quantity].std(ddof=1),
+                       "scatter_quick": quick[quantity].std(ddof=1)})
     return result

@@ -29,13 +29,13 @@ if not KEPT:
     rule fresh_runs:
         input:
             [] if truth("beds_there") else
-            expand("beds/{aspect}_study_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
-                   aspect=ASPECTS, way=["today", "quick"]),
+            expand("beds/{aspect}_{limits}_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
+                   aspect=ASPECTS, limits=listed("limits"), way=["today", "quick"]),
             packing=[PACKING] if truth("with_packing") else []
         output: FRESH_RUNS
         run:
-            wanted = expand("beds/{aspect}_study_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
-                            aspect=ASPECTS, way=["today", "quick"])
+            wanted = expand("beds/{aspect}_{limits}_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
+                            aspect=ASPECTS, limits=listed("limits"), way=["today", "quick"])
             there = [path for path in wanted if Path(path).exists()]
             if not there:
                 refuse("no bed has been made yet")
@@ -64,7 +64,7 @@ if not KEPT:
         resources: timing=1
         run:
             advice.seconds(output[0], float(wildcards.aspect), int(listed("fresh_seeds")[0]),
-                           listed("timed_limits"), int(config["bed_turns"]), int(config["number"]), BUILD)
+                           listed("limits"), int(config["bed_turns"]), int(config["number"]), BUILD)
 
     rule all_seconds:
         input: expand("timed/{aspect}.csv", aspect=ASPECTS)

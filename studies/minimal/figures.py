@@ -40,25 +40,36 @@ def features(table: pandas.DataFrame, stem: Path | str) -> None:
 
 
 def equivalence(table: pandas.DataFrame, stem: Path | str) -> None:
-    """Difference of quick 1 from the default with its interval, and the bound."""
-    names = list(QUANTITIES)
-    figure, axes = plots.new_figure(160, 62, 1, len(names), sharey=True, squeeze=False)
+    """Difference of quick 1 from the default with its interval, and the bound; a line of panels for
+    each kind of limits."""
+    names, kinds = list(QUANTITIES), list(dict.fromkeys(table["limits"]))
+    figure, axes = plots.new_figure(170, 14 + 46 * len(kinds), len(kinds), len(names), sharey=True,
+                                    sharex="col", squeeze=False)
     aspects = sorted(table["lambda"].unique(), key=lambda a: a or float("inf"))
-    for panel, name in zip(axes[0], names):
-        part = table[table["quantity"] == name].set_index("lambda")
-        bound = 100 * part["bound"].iloc[0]
-        panel.axvspan(-bound, bound, color=plots.COLOURS["green"], alpha=0.13, linewidth=0)
-        panel.axvline(0.0, color=plots.COLOURS["grey"], linewidth=0.7)
-        for row, aspect in enumerate(aspects):
-            if aspect not in part.index:
-                continue
-            d = 100 * part.loc[aspect, ["difference", "low", "high"]].astype(float)
-            colour = plots.COLOURS["blue" if part.loc[aspect, "equivalent"] else "vermilion"]
-            panel.errorbar([d["difference"]], [row],
-                           xerr=[[d["difference"] - d["low"]], [d["high"] - d["difference"]]],
-                           marker="o", markersize=4, color=colour)
-        panel.set_title(QUANTITIES[name], fontsize=8)
-        panel.set_ylim(len(aspects) - 0.5, -0.5)
+    for line, limits in zip(axes, kinds):
+        for panel, name in zip(line, names):
+            part = table[(table["quantity"] == name) & (table["limits"] == limits)]
+            draw_equivalence(panel, part.set_index("lambda"), aspects)
+            if line is axes[0]:
+                panel.set_title(QUANTITIES[name], fontsize=8)
+        line[0].set_ylabel(f"limits: {limits}", fontsize=8)
+        line[0].set_yticks(range(len(aspects)),
+                           [f"λ = {a:g}" if a else "together" for a in aspects])
+    for panel in axes[-1]:
         panel.set_xlabel("difference (%)", fontsize=8)
-    axes[0][0].set_yticks(range(len(aspects)), [f"λ = {a:g}" if a else "together" for a in aspects])
     plots.save(figure, stem)
+
+
+def draw_equivalence(panel, part: pandas.DataFrame, aspects: list[float]) -> None:
+    bound = 100 * part["bound"].iloc[0] if len(part) else 0.0
+    panel.axvspan(-bound, bound, color=plots.COLOURS["green"], alpha=0.13, linewidth=0)
+    panel.axvline(0.0, color=plots.COLOURS["grey"], linewidth=0.7)
+    for row, aspect in enumerate(aspects):
+        if aspect not in part.index:
+            continue
+        d = 100 * part.loc[aspect, ["difference", "low", "high"]].astype(float)
+        colour = plots.COLOURS["blue" if part.loc[aspect, "equivalent"] else "vermilion"]
+        panel.errorbar([d["difference"]], [row],
+                       xerr=[[d["difference"] - d["low"]], [d["high"] - d["difference"]]],
+                       marker="o", markersize=4, color=colour)
+    panel.set_ylim(len(aspects) - 0.5, -0.5)

@@ -33,8 +33,8 @@ def feature_lines(table: pandas.DataFrame) -> list[list[str]]:
 
 def bed_lines(runs: pandas.DataFrame) -> list[list[str]]:
     lines = []
-    for (aspect, quick), part in runs.groupby(["lambda", runs["way"] == "quick"]):
-        cells = [f"{aspect:g}", "quick 1" if quick else "default", str(len(part))]
+    for (limits, aspect, quick), part in runs.groupby(["limits", "lambda", runs["way"] == "quick"]):
+        cells = [limits, f"{aspect:g}", "quick 1" if quick else "default", str(len(part))]
         for name, decimals in (("vf_inner", 4), ("vf_whole", 4), ("elevation_deg", 1),
                                ("contacts", 2)):
             error = part[name].std(ddof=1) / len(part) ** 0.5 if len(part) > 1 else float("nan")
@@ -44,7 +44,7 @@ def bed_lines(runs: pandas.DataFrame) -> list[list[str]]:
 
 
 def equivalence_lines(table: pandas.DataFrame) -> list[list[str]]:
-    return [[f"{row['lambda']:g}" if row["lambda"] else "together", QUANTITIES[row["quantity"]],
+    return [[row["limits"], f"{row['lambda']:g}" if row["lambda"] else "together", QUANTITIES[row["quantity"]],
              f"{row['beds_today']:.0f}, {row['beds_quick']:.0f}", percent(row["difference"]),
              f"{percent(row['low'])} to {percent(row['high'])}",
              "yes" if row["equivalent"] else "not shown"] for _, row in table.iterrows()]
@@ -110,8 +110,6 @@ def values(runs, equivalence, choices, seconds, features, bound: float) -> dict:
         "beds": bed_lines(runs), "equivalence": equivalence_lines(equivalence),
         "seconds": second_lines(seconds), "choices": choice_lines(choices), "bound": 100 * bound,
         "shown": len(shown), "asked": len(equivalence),
-        "together_shown": list(shown.loc[shown["lambda"] == 0, "quantity"].map(QUANTITIES)),
-        "together_asked": int((equivalence["lambda"] == 0).sum()),
         "times": seconds.loc[seconds["way"] == "quick", "times_fewer"],
         "machine": " and ".join(sorted(seconds["machine"].dropna().unique())),
         "turns": int(seconds["turns"].iloc[0]), "packing_beds": int((runs["way"] == "full").sum()),

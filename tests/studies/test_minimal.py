@@ -59,7 +59,7 @@ def runs_of(shift, scatter, count=30):
         for way in ("today", "full", "quick"):
             for seed in range(count):
                 factor = (shift if way == "quick" else 1) * (1 + scatter * rng.normal())
-                result.append({"lambda": aspect, "way": way, "seed": seed,
+                result.append({"limits": "none", "lambda": aspect, "way": way, "seed": seed,
                                **{q: factor * aspect for q in advice.QUANTITIES}})
     return pandas.DataFrame(result)
 
