@@ -60,7 +60,7 @@ Box make_boxes_exact(std::vector<State> &states, const Run &run, const Box &at_s
 
 // Friction of `linear` is at most mu times the normal force; without spread_contact the contact sits
 // where the search finds it. (With it the energy of nearly parallel rods changes as they slide along
-// each other, so that a small force along them is no friction.)
+// each other, so that a force along them, small beside the spring's, is no friction.)
 void check_row(const Material &m, const Touch &touch, const std::vector<double> &row,
                const State &last)
 {
@@ -72,8 +72,10 @@ void check_row(const Material &m, const Touch &touch, const std::vector<double> 
   if (std::fabs(norm(normal) - 1.0) > 1e-9) wrong("its normal has another length than 1");
   const double along = dot(force, normal), across = norm(force - along * normal);
   const double mu = m.tangential == "off" ? 0.0 : m.friction;
+  // Damping can take the normal force to nothing, but not the spring's.
+  const double spring = std::max(std::fabs(along), touch.stiffness * row[6]);
   if (m.normal == "linear" && m.cohesion.empty() &&
-      across > (mu * (1.0 + 1e-6) + (m.spread ? 0.05 : 1e-9)) * std::fabs(along) + 1e-12)
+      across > mu * (1.0 + 1e-6) * std::fabs(along) + (m.spread ? 0.05 : 1e-9) * spring + 1e-12)
     wrong(fmt::format("friction {:.6g}, normal force {:.6g}, coefficient {}", across, along, mu));
   if (!touch.plain || m.spread) return;
   const double side = i == touch.i ? 1.0 : -1.0;
