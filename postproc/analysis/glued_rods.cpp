@@ -177,7 +177,12 @@ class Bodies {
 
   int type(std::size_t row) const
   {
-    return type_ ? static_cast<int>(std::clamp(value(row, *type_), 1.0, 1e6)) : 1;
+    if (!type_) return 1;
+    constexpr double largest = 1e6;
+    const double type = value(row, *type_);
+    if (!(type >= 1.0 && type <= largest && type == std::floor(type)))
+      fail(row, fmt::format("type is {}, wanted a whole number >= 1", type));
+    return static_cast<int>(type);
   }
 
   // The spheres at images that belong together, in the order of the rows.

@@ -87,9 +87,9 @@ void run(const Options &options)
   if (whole.bodies == 0)
     throw InputError(
         fmt::format("{}: no step holds any spheres, wanted at least one", options.input.dump));
+  if (!options.data.empty()) write_file(options.data, data);  // refused if it is one of the others
   dump.close();
   csv.close();
-  if (!options.data.empty()) write_file(options.data, data);
   fmt::print("{} frames, {} rods in them: {}\n", frames, whole.bodies, options.out);
   fmt::print("  spheres a rod          {}\n", range(static_cast<double>(whole.least_spheres),
                                                     static_cast<double>(whole.most_spheres)));

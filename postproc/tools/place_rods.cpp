@@ -50,6 +50,7 @@ int main(int argc, char **argv)
   app.add_flag("--floor", options.floor,
                "not periodic in z: the box is a rod's length higher, all rods above z = 0");
   app.add_option("--seed", options.seed, "of the random numbers")
+      ->check(CLI::NonNegativeNumber)  // a sign would be wrapped around
       ->check(CLI::Range(0ul, std::numeric_limits<unsigned long>::max()))
       ->capture_default_str();
   app.add_option("--out", out, "FILE to write")->capture_default_str();

@@ -266,6 +266,8 @@ TEST_F(Multisphere, WhatIsNoRodIsRefused)
   expect(with(with(good, "0 0 0 1\n", "0 0 0 0\n"), "1 0 0 1\n", "1 0 0 0\n"), "a radius is 0");
   expect(with(good, "2 4 1", "2 0 1"), "glued.dump:11: sphere 2 is of no body: mol is 0");
   expect(with(good, "2 4 1", "2 0.5 1"), "mol is 0.5, wanted a whole number >= 1");
+  expect(with(with(with(good, " mol x", " mol type x"), "1 4 0", "1 4 0 0"), "2 4 1", "2 4 0 1"),
+         "type is 0, wanted a whole number >= 1");
   expect(with(good, " mol", " body"), "column 'mol' is missing, wanted it or --body");
   expect(good, "column 'f_b' is missing", {"f_b", 0.05});
   expect(with(good, " radius", " size"), "column 'radius' is missing, wanted it or 'diameter'");
@@ -488,8 +490,10 @@ TEST_F(Multisphere, ProgramsSayWhatIsWrong)
   expect(back + "bed.dump --out out.dump", "column 'mol' is missing");
   expect(back + "spheres.dump --out out.dump --data out.data", "has no density, wanted --density");
   expect(back + "spheres.dump --out out.dump --density 1", "--density requires --data");
+  expect(back + "spheres.dump --out out.dump --data out.dump --density 1", "is named twice");
   expect(back + "spheres.dump --out out.dump --tolerance -1",
          "--tolerance: must be a number from 0");
+  expect("place_rods --rods 50 --out out.dump --seed -1", "--seed");
   EXPECT_FALSE(std::filesystem::exists(folder() / "out.dump"));
 }
 
