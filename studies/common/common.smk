@@ -10,8 +10,10 @@
 #                  rules that run or measure
 #   config         config.yaml with the values of its section `modes: quick:` or `modes: smoke:` in
 #                  such a run; what is given by --config wins
-# and refuse(sentence), stamp(name, sources) for other stamps, need_programs(names). The working folder, to which relative paths belong, is the study's of this
-# mode in build/studies, also that of snakemake's own records.
+# and refuse(sentence), need_programs(names), stamp(name, sources) for other stamps; of what config holds
+# values_of, number_of, numbers_of, choices_of(name, ...), which refuse what a study cannot use. The
+# working folder, to which relative paths belong, is the study's of this mode in build/studies, also that of
+# snakemake's own records.
 import os
 import sys
 from pathlib import Path
@@ -34,6 +36,43 @@ def truth(name):
     if value not in ("0", "1", "true", "false"):
         refuse(f"{name} must be 0 or 1 (got '{value}')")
     return value in ("1", "true")
+
+
+def values_of(name):
+    """A list of config.yaml, or given as [10,20] or 10 on the command line."""
+    given = config[name]
+    given = given if isinstance(given, list) else [given]
+    if not given:
+        refuse(f"{name} must not be empty")
+    return [str(value) for value in given]
+
+
+def one_number(name, given, low, high):
+    try:
+        value = float(given)
+    except (TypeError, ValueError):
+        value = float("nan")
+    if not low <= value <= high or value == float("inf"):
+        wanted = f"from {low} to {high}" if high < float("inf") else f">= {low}"
+        refuse(f"{name} must be a number {wanted} (got {given})")
+    return value
+
+
+def number_of(name, low, high=float("inf")):
+    return one_number(name, config[name], low, high)
+
+
+def numbers_of(name, low, high=float("inf")):
+    """As values_of, of which each is a number."""
+    return [one_number(name, value, low, high) for value in values_of(name)]
+
+
+def choices_of(name, allowed):
+    """As values_of, of which each is one of those allowed."""
+    for value in values_of(name):
+        if value not in allowed:
+            refuse(f"{name} must be among {', '.join(allowed)} (got {value})")
+    return values_of(name)
 
 
 def folder_given(name, default):

@@ -256,6 +256,7 @@ def test_the_smallest_run(study, tmp_path, programs):
 @pytest.mark.parametrize("setting, words", [
     ("seeds=0", "packing: seeds must be a number from 1 to 10 (got 0)"),
     ("seeds=many", "packing: seeds must be a number from 1 to 10 (got many)"),
+    ("lambdas=[10,inf]", "packing: lambdas must be a number >= 1 (got inf)"),
     ("lambdas=[15]", "packing: lambda 15 is not in Table 1 of the study"),
     ("limits=[some]", "packing: limits must be among study, none (got some)"),
     ("quick=maybe", "packing: quick must be 0 or 1 (got 'maybe')"),
