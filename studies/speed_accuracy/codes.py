@@ -31,7 +31,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Outcome:
-    seconds: float  # LIGGGHTS's `Loop time`
+    seconds: float  # of one core, for the steps alone
     frames: list[State]
 
 
@@ -214,7 +214,7 @@ def run_cases(scene: Scene, folder: Path, code: str, cases: list[Case], build: P
     while len(outcomes) < len(cases):
         first, todo = len(outcomes), cases[len(outcomes):]
         values = {"case": list(range(first, len(cases))),
-                  "every": [c.steps // scene.frames for c in todo], "kn": [c.stiffness for c in todo],
+                  "every": [c.steps // scene.frames if scene.frames > 1 else 10**9 for c in todo], "kn": [c.stiffness for c in todo],
                   "kt": [2.0 / 7.0 * c.stiffness for c in todo], "dt": [c.step for c in todo],
                   "steps": [c.steps for c in todo], "folder": [folder],
                   "tangential": ["history" if scene.friction else "off"]}
@@ -230,10 +230,10 @@ def run_cases(scene: Scene, folder: Path, code: str, cases: list[Case], build: P
             command = [program_path("liggghts"), "-in", str(HERE / "in.spheres_scene")]
         for name, given in values.items():
             command += ["-var", name, *map(str, given)]
+        (folder / "times").unlink(missing_ok=True)
         reason = start_program(command, folder, code)
         text = (folder / f"log.{code}").read_text(errors="replace")
-        loops = [float(t) for t, n in re.findall(
-            r"^Loop time of (\S+) on \d+ procs for (\d+) steps", text, re.MULTILINE) if int(n) > 0]
+        loops = core_seconds(folder / "times")
         read = read_rods if code == "rods" else read_spheres
         for k in range(first, len(cases)):
             dump = folder / f"dump.{code}.{k}"
@@ -250,6 +250,15 @@ def run_cases(scene: Scene, folder: Path, code: str, cases: list[Case], build: P
             raise CaseError(f"{reason} (in {folder}; all of it in screen.{code})")
         outcomes.append(reason)
     return outcomes
+
+
+def core_seconds(path: Path) -> list[float]:
+    """Of each run that ended: three lines of /proc/PID/schedstat, before and after a run of no step
+    and after the run; the first number is what the program had of a core, in ns."""
+    counts = [int(line.split()[0]) for line in path.read_text().splitlines()] if path.exists() else []
+    triples = zip(counts[::3], counts[1::3], counts[2::3])
+    return [1e-9 * max(end - begin - (begin - idle), 0.1 * (end - begin))
+            for idle, begin, end in triples]
 
 
 def began(log: str) -> bool:
