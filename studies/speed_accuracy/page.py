@@ -2,28 +2,56 @@
 """What the page says, from the CSV files and config.yaml."""
 from __future__ import annotations
 
+import numpy as np
 import pandas
 
 from studies.common.rows import read_rows
-from studies.speed_accuracy import chart
+from studies.speed_accuracy import chart, rods, scenes
 
 
 def span(table: pandas.DataFrame, column: str) -> dict:
     return {"least": f"{table[column].min():g}", "most": f"{table[column].max():g}"}
 
 
+def restitution_missed(aspect: float, copies: int, seed: int, rule: str) -> float:
+    """The error of the impulse at a wall by one damping for contacts of all effective masses m_eff:
+    each parts with e' = exp(−π ζ'/√(1 − ζ'²)), ζ' = ζ √(m/m_eff), instead of e."""
+    scene = scenes.build("wall", aspect, copies, seed)
+    arm = 0.5 * scene.rod.height * scene.start.axis
+    mass = 1.0 / rods.inverse_mass(scene.rod, arm, scenes.UP)
+    given = scene.nominal_mass if rule == "nominal" else scene.mean_mass
+    zeta = rods.damping_ratio(scene.restitution) * np.sqrt(given / mass)
+    parted = np.exp(-np.pi * zeta / np.sqrt(1.0 - zeta**2))
+    size = scene.start.velocity[:, 2] * np.sqrt(mass)  # of the impulse, in the measure of energy
+    return float(np.sqrt(np.mean(((parted - scene.restitution) * size) ** 2)
+                         / np.mean(((1.0 + scene.restitution) * size) ** 2)))
+
+
+def wall_errors(table: pandas.DataFrame) -> list[list[str]]:
+    """A line an aspect ratio and rule: what glued rods miss at a wall and what the restitution makes
+    of it."""
+    part = chart.standing(table[(table["scene"] == "wall") & (table["method"] == "multisphere")])
+    lines = []
+    for (aspect, rule), cases in part.groupby(["lambda", "rule"]):
+        expected = restitution_missed(aspect, int(table["copies"].max()), int(cases["seed"].iloc[0]),
+                                      rule)
+        lines.append([f"{aspect:g}", rule, chart.percent(cases["error"].min()),
+                      chart.percent(cases["error"].median()), chart.percent(expected)])
+    return lines
+
+
 def values(charted, summary, config: dict, mode: str, results: str) -> dict:
     """`charted`: CSV files of rows, the scenes' first; `results`: their folder, as seen from the
     page."""
-    rows, scenes, table = chart.read(charted), read_rows(charted[0]), read_rows(summary)
+    rows, events, table = chart.read(charted), read_rows(charted[0]), read_rows(summary)
     headings, lines = chart.summary_table(table)
     ours, theirs = table["rods_cost"].notna(), table["multisphere_cost"].notna()
     ratio = table.loc[ours & theirs, "rods_are_cheaper"]
     near = table[ours & theirs & (table["rods_are_cheaper"] <= 2.0)]
-    aspects = sorted(scenes["lambda"].unique(), key=lambda a: abs(a - 10.0))
-    by_number = chart.by_number(scenes, aspects[0])
-    lost = (scenes["ended"].fillna("") != "") | ~(scenes["error"] < 1.0)
-    stiff = scenes.assign(over=scenes["stiffness"] / scenes["lambda"] / 2.0e4)
+    aspects = sorted(events["lambda"].unique(), key=lambda a: abs(a - 10.0))
+    by_number = chart.by_number(events, aspects[0])
+    lost = (events["ended"].fillna("") != "") | ~(events["error"] < 1.0)
+    stiff = events.assign(over=events["stiffness"] / events["lambda"] / 2.0e4)
     nominal = stiff[stiff["rule"] == "nominal"]
     return {
         "mode": mode, "results": results,
@@ -31,9 +59,9 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
         "charts": [{"name": chart.name_of(scene, quantity), "title": chart.title_of(scene, quantity),
                     "quantity": chart.QUANTITIES.get(quantity, quantity)}
                    for scene, quantity in chart.charts_of(rows)],
-        "machine": " and ".join(sorted(scenes["machine"].dropna().unique())),
-        "seed": " and ".join(map(str, scenes["seed"].unique())),
-        "copies": int(scenes["copies"].max()), "turns": int(scenes["turns"].max()),
+        "machine": " and ".join(sorted(events["machine"].dropna().unique())),
+        "seed": " and ".join(map(str, events["seed"].unique())),
+        "copies": int(events["copies"].max()), "turns": int(events["turns"].max()),
         "questions": len(table), "both_reach": len(ratio),
         "only_rods": int((ours & ~theirs).sum()),
         "rods_win": int((table["cheapest"] == "rods").sum()),
@@ -45,13 +73,13 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
                  for _, row in table[table["cheapest"] == "multisphere"].iterrows()],
         "enough": [f"{chart.title_of(row['scene'])}, λ = {row['lambda']:g}, "
                    f"{chart.percent(row['error'])} %" for _, row in near.iterrows()],
-        "by_number": by_number, "by_number_aspect": f"{aspects[0]:g}",
-        "cases": len(scenes), "rods_cases": int((scenes["method"] == "rods").sum()),
-        "lost_rods": int((lost & (scenes["method"] == "rods")).sum()),
-        "lost_spheres": int((lost & (scenes["method"] != "rods")).sum()),
+        "wall_errors": wall_errors(events), "by_number": by_number, "by_number_aspect": f"{aspects[0]:g}",
+        "cases": len(events), "rods_cases": int((events["method"] == "rods").sum()),
+        "lost_rods": int((lost & (events["method"] == "rods")).sum()),
+        "lost_spheres": int((lost & (events["method"] != "rods")).sum()),
         "rods_stiffness": span(stiff[stiff["method"] == "rods"], "over"),
         "spheres_stiffness": span(nominal, "over"),
-        "rods_step": span(scenes[scenes["method"] == "rods"], "time_step_over_limit"),
-        "spheres_step": span(scenes[scenes["method"] == "multisphere"], "time_step_over_limit"),
+        "rods_step": span(events[events["method"] == "rods"], "time_step_over_limit"),
+        "spheres_step": span(events[events["method"] == "multisphere"], "time_step_over_limit"),
         "most_work": float(config["spheres_work"]), "rods_work": float(config["rods_work"]),
     }

@@ -286,6 +286,20 @@ def test_beds_count_with_their_error():
     assert list(table["cheapest"]) == ["rods", "multisphere"]
 
 
+# Contacts of one effective mass, damped for it, part with e: nothing missed. Of two rods, one e'.
+def test_restitution_missed(monkeypatch):
+    scene = scenes.build("wall", 10.0, 2, 1)
+    scene.start.axis[:] = [0.6, 0.0, 0.8]
+    monkeypatch.setattr(scenes, "build", lambda *_: scene)
+    mass = 1.0 / (1.0 / scene.rod.mass + (0.3 * scene.rod.height) ** 2 / scene.rod.across)
+    scene.mean_mass = mass
+    assert page.restitution_missed(10.0, 2, 1, "adapted") < 1e-12
+    k, c = 1.0, codes.contact_damping(scene, 1.0, scene.nominal_mass)[0]
+    decay = c / (2 * mass)
+    parted = np.exp(-decay * np.pi / np.sqrt(k / mass - decay**2))
+    assert page.restitution_missed(10.0, 2, 1, "nominal") == pytest.approx((0.5 - parted) / 1.5)
+
+
 # The page beside the kept results is what they make of the template.
 @pytest.mark.skipif(not (STUDY / "results" / "scenes.csv").exists(), reason="no kept results")
 def test_kept_page(tmp_path):
