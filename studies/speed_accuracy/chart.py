@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas
+from matplotlib.ticker import NullFormatter
 
 from studies.common import plots
 from studies.common.pages import power
@@ -199,19 +200,20 @@ def draw_front(axes, rows: pandas.DataFrame, method: str, label: bool, floor: fl
               linewidth=1.6, alpha=0.75, linestyle="-" if method == "rods" else (0, (5, 2)), zorder=2)
     if not label:
         return
-    last = None
+    named = set()
     for _, row in front.iterrows():
         name = "rods" if method == "rods" else f"n={row['n']:.0f}"
-        if name != last:
+        if name not in named:
             axes.annotate(name, (row["cost"], max(row["error"], floor)), xytext=(3, 3),
                           textcoords="offset points", fontsize=6.5,
                           color=plots.for_letters(colour))
-        last = name
+        named.add(name)
 
 
 def draw_panel(axes, rows: pandas.DataFrame, aspect: float, *, points: bool = True,
-               label: bool = True, floor: float = 1e-5) -> None:
-    """Error against cost of one scene and aspect ratio. Errors below `floor` are drawn at it."""
+               label: bool = True, floor: float = 1e-5, room: float = 1.0) -> None:
+    """Error against cost of one scene and aspect ratio. Errors below `floor` are drawn at it; the axis
+    ends at `room` times 150 %."""
     rows = standing(rows)
     if points:
         for (method, n, rule), part in rows.groupby(["method", "n", "rule"]):
@@ -227,7 +229,8 @@ def draw_panel(axes, rows: pandas.DataFrame, aspect: float, *, points: bool = Tr
         draw_front(axes, rows, method, label, floor)
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_ylim(0.5 * floor, 1.5)
+    axes.set_ylim(0.5 * floor, 1.5 * room)
+    axes.xaxis.set_minor_formatter(NullFormatter())
     axes.grid(True, which="major", linewidth=0.4, alpha=0.5)
 
 
@@ -268,7 +271,8 @@ def chart(rows: pandas.DataFrame, scene: str, quantity: str, stem: Path | str) -
     floor = floor_of(part)
     for k, aspect in enumerate(aspects):
         panel = axes[k // columns][k % columns]
-        draw_panel(panel, part[part["lambda"] == aspect], aspect, floor=floor)
+        draw_panel(panel, part[part["lambda"] == aspect], aspect, floor=floor,
+                   room=10.0)
         panel.set_title(f"λ = {aspect:g}", fontsize=9)
         note(panel, table[table["lambda"] == aspect])
     for panel in axes.flat[len(aspects):]:
@@ -320,7 +324,7 @@ def combined(rows: pandas.DataFrame, aspect: float, stem: Path | str) -> None:
         below = [(panel, scene) for panel, (scene, _) in list(zip(axes.flat, charts))[k::columns]]
         if below:
             below[-1][0].set_xlabel("core seconds" if is_bed(below[-1][1]) else
-                                    "core seconds a simulated second", fontsize=7.5)
+                                    "core seconds a simulated second", fontsize=7)
     legend_of(figure, set(rows["rule"]))
     plots.save(figure, stem)
 
