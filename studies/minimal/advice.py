@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy
 import pandas
 
-from studies.common import settling
+from studies.common import cases, settling
 from studies.common.rows import provenance, read_rows, write_rows
 from studies.common.statistics import equivalence
 
+REST_DECK = Path(__file__).resolve().with_name("in.rest")
 QUANTITIES = {"vf_inner": "V_f, inner cylinder", "vf_whole": "V_f, whole vessel",
               "elevation_deg": "mean elevation", "contacts": "contacts a rod"}
 
@@ -56,8 +57,23 @@ def collect(paths, packing, out) -> None:
     write_rows(out, table.sort_values(["limits", "lambda", "way", "seed"], kind="stable"))
 
 
+def default_to_its_end(folder: Path, aspect: float, seed: int, limits: str, number: int,
+                       rest_steps: int, build) -> tuple[float, settling.Settled]:
+    """Processor seconds of the decks' default. Steps of a bed at rest are all alike: `rest_steps` of
+    them are run, and what is left to 10 s counted at their cost."""
+    bed = settle(folder, aspect, seed, "today", limits, number, build)
+    left = round((10.0 - bed.end_time) / 2.0e-5)
+    if left <= 0:
+        return bed.cpu_seconds, bed
+    cases.link_decks(folder, [REST_DECK])
+    both = [cases.run_deck(folder, REST_DECK.name, settling.bed_variables(
+        aspect, seed, limits, number or None) | {"steps": steps}, build=build).cpu_seconds
+        for steps in (1, rest_steps + 1)]
+    return bed.cpu_seconds + left * (both[1] - both[0]) / rest_steps, bed
+
+
 def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int, number: int,
-            build) -> None:
+            rest_steps: int, build) -> None:
     """Writes the processor seconds (user and system) to a settled bed by the decks' default and by
     quick 1, in turns."""
     folder = Path(path).resolve().with_suffix("")
@@ -65,14 +81,16 @@ def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int,
     last: dict[tuple, settling.Settled] = {}
     for _ in range(turns):
         for limits in limits_timed:
-            for way in ("full", "quick"):
-                last[limits, way] = settle(folder / f"{limits}_{way}", aspect, seed, way, limits,
-                                           number, build)
-                took.setdefault((limits, way), []).append(last[limits, way].cpu_seconds)
+            full, last[limits, "full"] = default_to_its_end(
+                folder / f"{limits}_full", aspect, seed, limits, number, rest_steps, build)
+            quick = settle(folder / f"{limits}_quick", aspect, seed, "quick", limits, number, build)
+            last[limits, "quick"] = quick
+            took.setdefault((limits, "full"), []).append(full)
+            took.setdefault((limits, "quick"), []).append(quick.cpu_seconds)
     write_rows(path, [{
         "lambda": aspect, "limits": limits, "way": way, "seconds": numpy.median(values),
         "seconds_min": min(values), "seconds_max": max(values), "turns": turns,
-        "steps": last[limits, way].steps, "end_time_s": last[limits, way].end_time,
+        "rested_at_s": last[limits, way].end_time, "seconds_to_rest": last[limits, way].cpu_seconds,
         "times_fewer": numpy.median(
             [f / v for f, v in zip(took[limits, "full"], values)]),
         **provenance(last[limits, way].command, seed)} for (limits, way), values in took.items()])

@@ -58,13 +58,14 @@ if not KEPT:
 
     # From the first rod placed to the end, the decks' default to 10 s beside quick 1, in turns.
     rule seconds:
-        input: settling.DECKS, PLUGIN
+        input: settling.DECKS, str(advice.REST_DECK), PLUGIN
         output: "timed/{aspect}.csv"
         threads: workflow.cores
         resources: timing=1
         run:
             advice.seconds(output[0], float(wildcards.aspect), int(listed("fresh_seeds")[0]),
-                           listed("limits"), int(config["bed_turns"]), int(config["number"]), BUILD)
+                           listed("limits"), int(config["bed_turns"]), int(config["number"]),
+                           int(config["rest_steps"]), BUILD)
 
     rule all_seconds:
         input: expand("timed/{aspect}.csv", aspect=ASPECTS)

@@ -55,8 +55,10 @@ def second_lines(table: pandas.DataFrame) -> list[list[str]]:
     for (aspect, limits), part in table.groupby(["lambda", "limits"]):
         part = part.set_index("way")
         lines.append([f"{aspect:g}", limits, figure(part.loc["full", "seconds"], 3),
+                      figure(part.loc["full", "seconds_to_rest"], 3),
                       figure(part.loc["quick", "seconds"], 3),
-                      figure(part.loc["quick", "end_time_s"], 3),
+                      f"{figure(part.loc['full', 'rested_at_s'], 2)}, "
+                      f"{figure(part.loc['quick', 'rested_at_s'], 2)}",
                       figure(part.loc["quick", "times_fewer"], 2)])
     return lines
 
