@@ -25,36 +25,25 @@ if not KEPT:
             advice.bed(output[0], float(w.aspect), int(w.seed), w.way, w.limits,
                        int(config["number"]), BUILD)
 
-    # --config beds_there=1: of the beds that are there.
     rule fresh_runs:
         input:
-            [] if truth("beds_there") else
-            expand("beds/{aspect}_{limits}_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
-                   aspect=ASPECTS, limits=listed("limits"), way=["today", "quick"]),
+            beds=wanted(expand("beds/{aspect}_{limits}_{way}_s{seed}.csv", aspect=ASPECTS,
+                               seed=listed("fresh_seeds"), limits=listed("limits"),
+                               way=["today", "quick"])),
             packing=[PACKING] if truth("with_packing") else []
         output: FRESH_RUNS
-        run:
-            wanted = expand("beds/{aspect}_{limits}_{way}_s{seed}.csv", seed=listed("fresh_seeds"),
-                            aspect=ASPECTS, limits=listed("limits"), way=["today", "quick"])
-            there = [path for path in wanted if Path(path).exists()]
-            if not there:
-                refuse("no bed has been made yet")
-            rows.collect(there, output[0], by=["lambda", "way", "seed"])
-
+        run: advice.collect(input.beds, input.packing, output[0])
 
     rule choices:
         input:
-            [] if truth("beds_there") else
-            expand("beds/{aspect}_none_{way}_s{seed}.csv", seed=listed("choosing_seeds"),
-                   aspect=ASPECTS, way=["today", *CHOICE_WAYS])
+            wanted(expand("beds/{aspect}_none_{way}_s{seed}.csv", seed=listed("choosing_seeds"),
+                          aspect=ASPECTS, way=["today", *CHOICE_WAYS]))
         output: CHOICES
         run:
-            wanted = expand("beds/{aspect}_none_{way}_s{seed}.csv", seed=listed("choosing_seeds"),
-                            aspect=ASPECTS, way=["today", *CHOICE_WAYS])
-            there = [path for path in wanted if Path(path).exists()]
-            if not there:
-                refuse("no bed has been made yet")
-            rows.collect(there, output[0], by=["lambda", "way", "seed"])
+            if input:
+                rows.collect(input, output[0], by=["lambda", "way", "seed"])
+            else:
+                Path(output[0]).write_text("lambda,way,seed\n")
 
     # From the first rod placed to the end, the decks' default to 10 s beside quick 1, in turns.
     rule seconds:
@@ -68,9 +57,13 @@ if not KEPT:
                            int(config["rest_steps"]), BUILD)
 
     rule all_seconds:
-        input: expand("timed/{aspect}.csv", aspect=ASPECTS)
+        input: wanted(expand("timed/{aspect}.csv", aspect=ASPECTS))
         output: SECONDS
-        run: rows.collect(input, output[0])
+        run:
+            if input:
+                rows.collect(input, output[0])
+            else:
+                Path(output[0]).write_text("lambda,limits,way\n")
 
 
 rule equivalence:

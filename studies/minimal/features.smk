@@ -30,12 +30,10 @@ if not KEPT:
                           Path(input[0]).with_suffix(""), steps=int(config["feature_timed_steps"]),
                           turns=int(config["feature_turns"]), **FEATURE_SIZES)
 
-    # --config counts_only=1: without the times.
     rule feature_table:
         input:
-            counted=expand("counted/{scene}.csv", scene=FEATURE_SCENES),
-            timed=[] if truth("counts_only") else
-                  expand("timed_features/{scene}.csv", scene=FEATURE_SCENES)
+            counted=wanted(expand("counted/{scene}.csv", scene=FEATURE_SCENES)),
+            timed=wanted(expand("timed_features/{scene}.csv", scene=FEATURE_SCENES))
         output: FEATURES
         run:
             counted, timed = ([rows.read_rows(path) for path in paths]

@@ -34,8 +34,9 @@ def features(table: pandas.DataFrame, stem: Path | str) -> None:
         panel.axvline(1.0, color=plots.COLOURS["grey"], linewidth=0.7)
         panel.grid(True, axis="x")
         panel.set_title(SCENES[scene]["title"], loc="left", fontsize=8.5)
-    axes[-1][0].set_xlabel("dots: instructions of a step over those of the scene as it is; "
-                           "bars: time", fontsize=8)
+    timed = "; bars: time" if "times" in table else ""
+    axes[-1][0].set_xlabel(f"dots: instructions of a step over those of the scene as it is{timed}",
+                           fontsize=8)
     plots.save(figure, stem)
 
 
@@ -46,12 +47,12 @@ def equivalence(table: pandas.DataFrame, stem: Path | str) -> None:
     figure, axes = plots.new_figure(170, 14 + 46 * len(kinds), len(kinds), len(names), sharey=True,
                                     sharex="col", squeeze=False)
     aspects = sorted(table["lambda"].unique(), key=lambda a: a or float("inf"))
+    for panel, name in zip(axes[0], names):
+        panel.set_title(QUANTITIES[name], fontsize=8)
     for line, limits in zip(axes, kinds):
         for panel, name in zip(line, names):
             part = table[(table["quantity"] == name) & (table["limits"] == limits)]
             draw_equivalence(panel, part.set_index("lambda"), aspects)
-            if line is axes[0]:
-                panel.set_title(QUANTITIES[name], fontsize=8)
         line[0].set_ylabel(f"limits: {limits}", fontsize=8)
         line[0].set_yticks(range(len(aspects)),
                            [f"λ = {a:g}" if a else "together" for a in aspects])

@@ -7,7 +7,7 @@ import re
 import pandas
 
 from studies.common import settling
-from studies.common.pages import figure, fixed
+from studies.common.pages import figure, fixed, with_error
 from studies.common.rows import read_rows
 from studies.minimal.advice import QUANTITIES
 from studies.minimal.features import SCENES
@@ -38,8 +38,9 @@ def bed_lines(runs: pandas.DataFrame) -> list[list[str]]:
         for name, decimals in (("vf_inner", 4), ("vf_whole", 4), ("elevation_deg", 1),
                                ("contacts", 2)):
             error = part[name].std(ddof=1) / len(part) ** 0.5 if len(part) > 1 else float("nan")
-            cells.append(f"{fixed(part[name].mean(), decimals)} ± {fixed(error, decimals)}")
-        lines.append(cells)
+            cells.append(with_error((part[name].mean(), error), decimals))
+        rested = part[part["way"] != "full"]["cpu_s"]
+        lines.append(cells + [figure(rested.median(), 2)])
     return lines
 
 
@@ -112,9 +113,8 @@ def values(runs, equivalence, choices, seconds, features, bound: float) -> dict:
         "beds": bed_lines(runs), "equivalence": equivalence_lines(equivalence),
         "seconds": second_lines(seconds), "choices": choice_lines(choices), "bound": 100 * bound,
         "shown": len(shown), "asked": len(equivalence),
-        "times": seconds.loc[seconds["way"] == "quick", "times_fewer"],
-        "machine": " and ".join(sorted(seconds["machine"].dropna().unique())),
-        "turns": int(seconds["turns"].iloc[0]), "packing_beds": int((runs["way"] == "full").sum()),
+        "machine": " and ".join(sorted(features["machine"].dropna().unique())),
+        "turns": int(seconds["turns"].iloc[0]) if len(seconds) else 0, "packing_beds": int((runs["way"] == "full").sum()),
         **deck_settings(),
         "not_rested": int((beds["rested"] == 0).sum()), "quick_beds": len(beds),
         "overlap_ever": 100 * runs.groupby(runs["way"] == "quick")["overlap_ever"].max(),
