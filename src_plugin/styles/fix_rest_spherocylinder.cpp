@@ -182,12 +182,14 @@ void FixRestSpherocylinder::end_run_now()
 }
 
 // LIGGGHTS would stop reading the deck too, as after Ctrl-C. The message comes after the lines of
-// thermo output.
+// thermo output. The next run is another one though reset_timestep may give it the same first step.
 void FixRestSpherocylinder::post_run()
 {
+  const bool ended_this_run = ended_run_ && run_began_ != kNever;  // a run of no steps ends by itself
+  run_began_ = kNever;
   if (asked_to_quit_) SignalHandler::request_quit = false;
   asked_to_quit_ = false;
-  if (!ended_run_ || comm->me != 0) return;
+  if (!ended_this_run || comm->me != 0) return;
   for (FILE *stream : {screen, logfile})
     if (stream)
       fprintf(stream,

@@ -549,6 +549,18 @@ TEST(BadInput, StageThatDoesNotFitItsBed)
       << outcome.output;
 }
 
+TEST(BadInput, QuickIsOneOrNone)
+{
+  const DeckFolder folder;
+  for (const char *name : {"in.rods", "in.contact", "in.fill"})
+    std::filesystem::copy(std::filesystem::path(INPUT_FOLDER) / name, folder / name);
+  folder.write("in.pour", "variable quick index 2\ninclude in.fill\n");
+  const Outcome outcome = folder.run("in.pour");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.output.find("quick must be 0 or 1 (got 2)"), std::string::npos)
+      << outcome.output;
+}
+
 TEST(BadInput, TimeStepFarTooLongIsWarnedAbout)
 {
   const DeckFolder folder;

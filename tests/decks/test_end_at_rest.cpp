@@ -201,4 +201,19 @@ TEST(EndAtRestDefault, EachRunHasItsWindow)
   EXPECT_NE(result.output.find("\nended: 0"), std::string::npos);  // the last part was too short
 }
 
+// reset_timestep gives the second run the first step of the one before: it is not ended where that was.
+TEST(EndAtRestDefault, RunFromTheSameStepIsAnotherOne)
+{
+  const DeckFolder folder;
+  const Settling result = settle(folder, {lying_at(0.3, 0.0)}, kFix, 1, 0.0,
+                                 "run 0\nreset_timestep 0\nvelocity all set 0 0 0.5\n"
+                                 "run 300\nvariable ended equal f_rested[5]\n"
+                                 "print \"ended: ${ended}\"\n");
+  EXPECT_EQ(result.last_step, 300) << result.output;
+  const std::size_t told = result.output.find("the run ends");
+  EXPECT_NE(told, std::string::npos);
+  EXPECT_EQ(result.output.find("the run ends", told + 1), std::string::npos);  // not by `run 0`
+  EXPECT_NE(result.output.find("\nended: 0"), std::string::npos);
+}
+
 }  // namespace
