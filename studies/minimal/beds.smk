@@ -5,7 +5,8 @@ FRESH_RUNS = str(RESULTS / "fresh_beds.csv")
 EQUIVALENCE = str(RESULTS / "equivalence.csv")
 CHOICES = str(RESULTS / "choices.csv")      # by the choosing seeds
 SECONDS = str(RESULTS / "seconds.csv")      # timed alone
-CHOICE_WAYS = [f"f{c['fraction']:g}_k{c['stiffness']:g}" for c in listed("choices")]
+CHOICE_WAYS = [f"f{c['fraction']:g}_k{c['stiffness']:g}" for c in config["choices"]]
+BED_LIMITS = choices_of("limits", ["study", "none"])
 
 
 wildcard_constraints:
@@ -16,6 +17,9 @@ wildcard_constraints:
 
 
 if not KEPT:
+    number_of("number", 0)
+    number_of("bed_turns", 1)
+    need_programs("lmp", "rod_packing", "rod_orientation")
 
     rule bed:
         input: settling.DECKS, PLUGIN
@@ -28,7 +32,7 @@ if not KEPT:
     rule fresh_runs:
         input:
             beds=wanted(expand("beds/{aspect}_{limits}_{way}_s{seed}.csv", aspect=ASPECTS,
-                               seed=listed("fresh_seeds"), limits=listed("limits"),
+                               seed=values_of("fresh_seeds"), limits=BED_LIMITS,
                                way=["today", "quick"])),
             packing=[PACKING] if truth("with_packing") else []
         output: FRESH_RUNS
@@ -36,7 +40,7 @@ if not KEPT:
 
     rule choices:
         input:
-            wanted(expand("beds/{aspect}_none_{way}_s{seed}.csv", seed=listed("choosing_seeds"),
+            wanted(expand("beds/{aspect}_none_{way}_s{seed}.csv", seed=values_of("choosing_seeds"),
                           aspect=ASPECTS, way=["today", *CHOICE_WAYS]))
         output: CHOICES
         run:
@@ -52,8 +56,8 @@ if not KEPT:
         threads: workflow.cores
         resources: timing=1
         run:
-            advice.seconds(output[0], float(wildcards.aspect), int(listed("fresh_seeds")[0]),
-                           listed("limits"), int(config["bed_turns"]), int(config["number"]),
+            advice.seconds(output[0], float(wildcards.aspect), int(values_of("fresh_seeds")[0]),
+                           BED_LIMITS, int(config["bed_turns"]), int(config["number"]),
                            int(config["rest_steps"]), BUILD)
 
     rule all_seconds:
@@ -71,4 +75,4 @@ rule equivalence:
     output: EQUIVALENCE
     run:
         rows.write_rows(output[0], advice.equivalences(rows.read_rows(input[0]),
-                                                       float(config["bound"])))
+                                                       BOUND))

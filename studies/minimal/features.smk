@@ -2,12 +2,19 @@
 # What each feature of a scene costs: a job a scene counts, another times it alone on the machine.
 FEATURES = str(RESULTS / "features.csv")
 FEATURE_SCENES = list(config["features"])
-FEATURE_SIZES = dict(number=int(config["feature_particles"]), seed=int(config["feature_seed"]),
+FEATURE_SIZES = dict(number=int(number_of("feature_particles", 1)), seed=int(config["feature_seed"]),
                      build=BUILD)
 
 
 wildcard_constraints:
     scene="[a-z]+",
+
+
+for name in ("feature_start_steps", "feature_counted_steps", "feature_timed_steps", "feature_turns"):
+    number_of(name, 1)
+for name in FEATURE_SCENES:
+    if name not in features.SCENES:
+        refuse(f"features must be of {', '.join(features.SCENES)} (got {name})")
 
 
 if not KEPT:

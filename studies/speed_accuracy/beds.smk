@@ -9,12 +9,12 @@ from studies.speed_accuracy import beds
 BED_DECK = str(HERE / "in.bed_spheres")
 BED_RUNS = str(RESULTS / "bed_runs.csv")
 BED_PAGE = str(Path(README).with_name("beds.md"))
-BED_ASPECTS = [f"{float(value):g}" for value in listed("bed_lambdas")]
+BED_ASPECTS = [f"{value:g}" for value in numbers_of("bed_lambdas", 1)]
 
 
 def bed_jobs():
     """Names of all beds, those of most worth for their time first."""
-    seeds = listed("bed_seeds")
+    seeds = values_of("bed_seeds")
     rods = [config["bed_reference"], *(config["bed_rods"] or [])]
     names = [f"rods_{c['rule']}_k{c['stiffness']:g}_f{c['fraction']:g}" for c in rods]
     names += [f"spheres_{c['spacing']:g}r_c{c['contacts']:g}_f{c['fraction']:g}"
@@ -40,6 +40,8 @@ wildcard_constraints:
 
 
 if not KEPT:
+    number_of("bed_time", 0.1)
+    number_of("bed_number", 0)
 
     rule bed_of_rods:
         input: settling.DECKS, PLUGIN

@@ -3,21 +3,26 @@
 # again, alone on the machine and in turns.
 import shlex
 
+from studies.speed_accuracy.scenes import SCENES
+
 SWEEP = [str(HERE / name) for name in ("sweep.py", "codes.py", "scenes.py", "rods.py")]
 SCENE_DECKS = {"rods": [str(HERE / "in.rods_scene")],
                "spheres": [str(HERE / "in.spheres_place"), str(HERE / "in.spheres_scene")]}
-SCENE_NAMES = listed("scenes")
-SCENE_ASPECTS = [f"{float(value):g}" for value in listed("lambdas")]
+SCENE_NAMES = choices_of("scenes", list(SCENES))
+SCENE_ASPECTS = [f"{value:g}" for value in numbers_of("lambdas", 1)]
 SCENE_ROWS = str(RESULTS / "scenes.csv")
 
 
 def sweep_options(code):
     """The options of sweep.py for a code that config.yaml gives."""
+    for name in ("copies", "spheres", f"{code}_work"):
+        number_of(name, 1)
     words = ["--code", code, "--build", BUILD, "--seed", config["seed"], "--copies", config["copies"],
              "--spheres", config["spheres"], "--most-work", config[f"{code}_work"]]
     for option, name in (("--spacings", "spacings"), ("--stiffnesses", f"{code}_stiffnesses"),
                          ("--fractions", f"{code}_fractions")):
-        words += [option, *listed(name)]
+        numbers_of(name, 1e-6)
+        words += [option, *values_of(name)]
     return shlex.join(map(str, words))
 
 
@@ -28,6 +33,11 @@ wildcard_constraints:
 
 
 if not KEPT:
+    number_of("turns", 1)
+    for code in SCENE_DECKS:
+        sweep_options(code)
+    need_programs("lmp", "rods_to_multisphere", "multisphere_to_rods", "rod_packing",
+                  "rod_orientation")
 
     rule scene_sweep:
         input:

@@ -98,7 +98,9 @@ TEST(LostRods, AreAnErrorInEveryDeck)
 {
   const fs::path root = fs::path(DOCS_FOLDER).parent_path();
   const fs::path input = root / "input", scenes = root / "bench/scenes";
-  for (const fs::path &folder : {input, scenes, root / "examples/mixed", root / "tests/postproc"}) {
+  for (const fs::path &folder :
+       {input, scenes, root / "examples/mixed", root / "examples/multisphere",
+        root / "studies/minimal", root / "studies/speed_accuracy", root / "tests/postproc"}) {
     const Files files = files_of({input, folder});
     for (const auto &entry : fs::directory_iterator(folder)) {
       const std::string name = entry.path().filename();
