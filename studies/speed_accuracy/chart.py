@@ -224,7 +224,8 @@ def draw_panel(axes, rows: pandas.DataFrame, aspect: float, *, points: bool = Tr
             sideways = [np.clip(part["cost"] - part["cost_min"], 0, None),
                         np.clip(part["cost_max"] - part["cost"], 0, None)]
             axes.errorbar(part["cost"], error, yerr=bars, xerr=sideways, linestyle="none",
-                          markersize=3.2, elinewidth=0.5, alpha=0.8, zorder=3, **style)
+                          markersize=3.2, elinewidth=0.5, alpha=0.8, zorder=3,
+                          rasterized=True, **style)  # thousands of points make an SVG large
     for method in ("multisphere", "rods"):
         draw_front(axes, rows, method, label, floor)
     axes.set_xscale("log")
