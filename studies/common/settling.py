@@ -95,9 +95,10 @@ def pour_and_settle(folder: Path | str, variables: dict, build=None) -> Settled:
 def settle_rods(folder: Path | str, aspect: float, seed: int, stiffness: float = 1.0,
                 fraction: float | None = None, rule: str = "spread", limits: str = "none",
                 total_time: float = 10.0, rest: bool = True, number: int | None = None,
-                build=None) -> Settled:
+                skin: float | None = None, build=None) -> Settled:
     """A bed of true rods. stiffness: over that of the decks; fraction: time step over its limit,
-    None for the decks' own step; rule: spread or single contact."""
+    None for the decks' own step; rule: spread or single contact; skin: of LIGGGHTS's lists, in
+    diameters, None for the decks' own."""
     spring = stiffness * STIFFNESS
     step = time_step(aspect, spring, fraction) if fraction else 2.0e-5
     variables = bed_variables(aspect, seed, limits, number) | {
@@ -105,6 +106,8 @@ def settle_rods(folder: Path | str, aspect: float, seed: int, stiffness: float =
         "stop_at_rest": int(rest), "spread_contact": {"spread": "on", "single": "off"}[rule],
         "thermo_every": round(0.1 / step),
         "dump_every": round(total_time / step)}
+    if skin is not None:
+        variables["skin_diameters"] = f"{skin:g}"
     return pour_and_settle(folder, variables, build)
 
 

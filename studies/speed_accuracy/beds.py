@@ -36,9 +36,10 @@ def tidy(folder: Path, kept: Path) -> None:
 
 
 def rods(path, aspect, seed, rule, stiffness, fraction, time, number, build) -> None:
-    """Writes the row of a bed of true rods."""
+    """Writes the row of a bed of true rods. As for its peer, the skin of the host's lists is one that
+    serves rods in their fall."""
     bed = settling.settle_rods(folder_of(path), aspect, seed, stiffness, fraction, rule,
-                               total_time=time, number=number or None, build=build)
+                               total_time=time, number=number or None, skin=10.0, build=build)
     write_rows(path, [{"lambda": aspect, "method": "rods", "n": 0, "rule": rule,
                        "stiffness": stiffness, "time_step_over_limit": fraction, "divided_by": 1,
                        **settling.measure(bed, aspect, seed, build)}])

@@ -14,14 +14,13 @@ BED_ASPECTS = [f"{value:g}" for value in numbers_of("bed_lambdas", 1)]
 
 def bed_jobs():
     """Names of all beds, those of most worth for their time first."""
-    seeds = values_of("bed_seeds")
     rods = [config["bed_reference"], *(config["bed_rods"] or [])]
     names = [f"rods_{c['rule']}_k{c['stiffness']:g}_f{c['fraction']:g}" for c in rods]
-    names += [f"spheres_{c['spacing']:g}r_c{c['contacts']:g}_f{c['fraction']:g}"
-              for c in config["bed_spheres"] or []]
-    wanted = [int(c["seeds"]) for c in rods + list(config["bed_spheres"] or [])]
-    return [f"{aspect}_{name}_s{seed}" for k, seed in enumerate(seeds) for aspect in BED_ASPECTS
-            for name, count in zip(names, wanted) if k < count]
+    spheres = list(config["bed_spheres"] or [])
+    names += [f"spheres_{c['spacing']:g}r_c{c['contacts']:g}_f{c['fraction']:g}" for c in spheres]
+    return [f"{aspect}_{name}_s{seed}" for k, seed in enumerate(values_of("bed_seeds"))
+            for aspect in BED_ASPECTS for name, case in zip(names, rods + spheres)
+            if k < int(case["seeds"]) and float(aspect) in case.get("lambdas", [float(aspect)])]
 
 
 # --config beds_there=1: of the beds that have been made, and none if none has, so that a study that was

@@ -76,7 +76,7 @@ TEST(StudyDecksQuick, EndsAtRest)
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const Table thermo = read_thermo(outcome.output);
   const double last = thermo.rows.back()[0];
-  EXPECT_LT(last * 8e-5, 3.9);
+  EXPECT_LT(last * 5e-5, 2.9);
   EXPECT_NE(outcome.output.find("ended 1 at"), std::string::npos) << outcome.output;
   EXPECT_EQ(read_dump(folder / "dump.settle").back().step, static_cast<long>(last));
   EXPECT_TRUE(std::filesystem::exists(folder / "restart.settle"));
