@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_nve_spherocylinder.h"
 
+#include <cstring>
+
 #include "atom.h"
 #include "core/mass_properties.h"
+#include "core/plain_rotation.h"
 #include "core/rotation.h"
 #include "rod_checks.h"
 
@@ -12,8 +15,14 @@ namespace sc = spherocylinder;
 FixNVESpherocylinder::FixNVESpherocylinder(LAMMPS *lmp, int narg, char **arg)
     : FixNVE(lmp, narg, arg)
 {
-  if (narg > 3)
-    rod_error_all(lmp, "Illegal fix %s command (id %s): unexpected argument %s", style, id, arg[3]);
+  for (int k = 3; k < narg; k += 2) {
+    if (strcmp(arg[k], "rotation") != 0)
+      rod_error_all(lmp, "Fix %s (id %s): unknown keyword %s (expected rotation)", style, id, arg[k]);
+    const char *value = k + 1 < narg ? arg[k + 1] : "nothing";
+    plain_ = strcmp(value, "plain") == 0;
+    if (!plain_ && strcmp(value, "exact") != 0)
+      rod_error_all(lmp, "Fix %s (id %s): rotation must be exact or plain (got %s)", style, id, value);
+  }
   rods_of(lmp, "Fix nve/spherocylinder");
   time_integrate = 1;
 }
@@ -55,6 +64,7 @@ void FixNVESpherocylinder::for_each_batch(Move move, Finish finish)
 
 void FixNVESpherocylinder::initial_integrate(int)
 {
+  if (plain_) return half_step_plainly(true);
   double **x = atom->x, **v = atom->v, **f = atom->f;
   const double *mass = atom->rmass;
   for_each_batch(
@@ -94,6 +104,7 @@ void FixNVESpherocylinder::rotate_one(int i)
 
 void FixNVESpherocylinder::final_integrate()
 {
+  if (plain_) return half_step_plainly(false);
   double **v = atom->v, **f = atom->f;
   const double *mass = atom->rmass;
   for_each_batch(
@@ -106,4 +117,29 @@ void FixNVESpherocylinder::final_integrate()
         for (int k = 0; k < count; k++)
           sc::store(rotations_.omega.get(k), atom->omega[rods_[k]]);
       });
+}
+
+// What is carried from one half step to the next is the angular velocity; the angular momentum
+// follows from it, for whoever asks.
+void FixNVESpherocylinder::half_step_plainly(bool drift)
+{
+  const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
+  for (int i = 0; i < nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double dtfm = dtf / atom->rmass[i];
+    sc::add_to(atom->v[i], dtfm * sc::load(atom->f[i]));
+    const double axial = atom->inertia[i][2], transverse = atom->inertia[i][0];
+    sc::Quaternion q = sc::load_quaternion(atom->quaternion[i]);
+    const sc::Vec3 omega_body =
+        sc::kicked_plainly(sc::in_body_frame(sc::load(atom->omega[i]), q),
+                           sc::in_body_frame(sc::load(atom->torque[i]), q), axial, transverse, dtf);
+    if (drift) {
+      sc::add_to(atom->x[i], dtv * sc::load(atom->v[i]));
+      q = sc::turned_plainly(q, omega_body, dtv);
+      sc::store(q, atom->quaternion[i]);
+    }
+    const sc::Vec3 omega = sc::rotated(omega_body, q);
+    sc::store(omega, atom->omega[i]);
+    sc::store(sc::angular_momentum(omega, sc::axis_of(q), axial, transverse), atom->angmom[i]);
+  }
 }

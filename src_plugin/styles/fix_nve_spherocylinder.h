@@ -14,7 +14,7 @@ FixStyle(nve/spherocylinder, FixNVESpherocylinder)
 namespace LAMMPS_NS {
 
 // Velocity-Verlet translation, and rotation as half kick of the angular momentum, exact free
-// rotation of a symmetric top, half kick.
+// rotation of a symmetric top, half kick. For comparison, rotation by core/plain_rotation.h.
 class FixNVESpherocylinder : public FixNVE {
  public:
   FixNVESpherocylinder(LAMMPS *lmp, int narg, char **arg);
@@ -23,12 +23,14 @@ class FixNVESpherocylinder : public FixNVE {
   void final_integrate() override;
 
  private:
+  bool plain_ = false;  // rotation plain
   spherocylinder::RodRotations rotations_{};
   int rods_[spherocylinder::kBatch];  // that the batch holds
 
   template <typename Move, typename Finish>
   void for_each_batch(Move move, Finish finish);
   void rotate_one(int i);
+  void half_step_plainly(bool drift);
 };
 
 }  // namespace LAMMPS_NS
