@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Means, errors, intervals and limits."""
+"""Means, errors, equivalence and limits."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, log, nan, sqrt
+from math import inf, nan, sqrt
 
 import numpy
 
@@ -24,64 +24,59 @@ def student(part: float, freedom: float) -> float:
     return float(stats.t.ppf(part, freedom))
 
 
-def confidence_interval(values, level: float = 0.95) -> tuple[float, float]:
-    """Student's interval for the mean of independent values of one normal distribution."""
-    values = list(values)
-    mean, error = mean_and_error(values)
-    if len(values) < 2:
-        return -inf, inf
-    width = student(0.5 + level / 2, len(values) - 1) * error
-    return mean - width, mean + width
-
-
 @dataclass(frozen=True)
 class Equivalence:
-    difference: float  # mean of b minus mean of a
+    difference: float  # mean of b over mean of a, minus 1; of several pairs their mean
     low: float         # the interval of the two one-sided tests: 1 - 2 alpha
     high: float
     bound: float
     equivalent: bool   # the interval lies within ±bound
 
 
-def equivalence(a, b, bound: float, alpha: float = 0.05, paired: bool = False) -> Equivalence:
-    """Two one-sided tests (Schuirmann 1987): whether the means of a and b differ by less than
-    `bound`. Unpaired: Welch's degrees of freedom; paired: of the differences b[i] - a[i]."""
-    a, b = numpy.asarray(list(a), dtype=float), numpy.asarray(list(b), dtype=float)
+def equivalence(pairs, bound: float, alpha: float = 0.05) -> Equivalence:
+    """Two one-sided tests (Schuirmann 1987): whether the means of a and b, of each of the `pairs`
+    (a, b) of samples, differ by less than `bound` of that of a, in the mean over the pairs. To first
+    order in the errors of the means, with Welch's degrees of freedom."""
     if bound <= 0:
         raise ValueError(f"the bound of an equivalence must be > 0 (got {bound})")
-    if min(a.size, b.size) < 2 or (paired and a.size != b.size):
-        raise ValueError(f"an equivalence needs two values or more of each, paired as many of "
-                         f"both (got {a.size} and {b.size})")
-    if paired:
-        difference, error = mean_and_error(b - a)
-        freedom = a.size - 1
-    else:
-        difference = float(b.mean() - a.mean())
-        va, vb = a.var(ddof=1) / a.size, b.var(ddof=1) / b.size
-        error = sqrt(va + vb)
-        freedom = (va + vb) ** 2 / (va ** 2 / (a.size - 1) + vb ** 2 / (b.size - 1)) \
-            if error > 0 else a.size + b.size - 2
-    width = student(1 - alpha, freedom) * error if error > 0 else 0.0
+    difference, parts = 0.0, []   # variance of a mean, its degrees of freedom
+    for pair in pairs:
+        a, b = (numpy.asarray(list(values), dtype=float) for values in pair)
+        if min(a.size, b.size) < 2:
+            raise ValueError("an equivalence needs two values or more of each "
+                             f"(got {a.size} and {b.size})")
+        ratio = b.mean() / a.mean()
+        difference += float(ratio - 1) / len(pairs)
+        for values, factor in ((a, ratio), (b, 1.0)):
+            error = factor / a.mean() / len(pairs)
+            parts.append((error ** 2 * values.var(ddof=1) / values.size, values.size - 1))
+    variance = sum(part for part, _ in parts)
+    width = 0.0
+    if variance > 0:
+        freedom = variance ** 2 / sum(part ** 2 / free for part, free in parts)
+        width = student(1 - alpha, freedom) * sqrt(variance)
     low, high = difference - width, difference + width
     return Equivalence(difference, low, high, bound, bool(-bound < low and high < bound))
 
 
-def richardson(h, values) -> tuple[float, float]:
-    """Limit of value(h) for h → 0 and the order p of value = limit + c h^p, from the three
-    smallest h, which are a constant ratio apart. NaN if the differences do not fall as a power."""
-    pairs = sorted(zip(map(float, h), map(float, values)))[:3]
-    if len(pairs) < 3:
-        raise ValueError(f"richardson needs three steps (got {len(pairs)})")
-    (h1, v1), (h2, v2), (h3, v3) = pairs
-    ratio = h2 / h1
-    if ratio <= 1 or abs(h3 / h2 / ratio - 1) > 1e-6:
-        raise ValueError(f"richardson needs steps of a constant ratio (got {h1}, {h2}, {h3})")
-    if v2 == v1:
-        return (v1, nan) if v3 == v2 else (nan, nan)
-    quotient = (v3 - v2) / (v2 - v1)
-    if quotient <= 1:
-        return nan, nan
-    return v1 - (v2 - v1) / (quotient - 1), log(quotient) / log(ratio)
+def limit_of_line(x, y, errors) -> tuple[float, float, float]:
+    """Where the straight line through values y with standard errors, by weighted least squares, meets
+    x = 0; its standard error, from those of the values; and chi squared a degree of freedom, NaN of
+    two values."""
+    x, y, errors = (numpy.asarray(list(v), dtype=float) for v in (x, y, errors))
+    if x.size < 2 or not (errors > 0).all():
+        raise ValueError("a line needs two values or more, with errors > 0 "
+                         f"(got {x.size} and {errors.tolist()})")
+    weights = errors ** -2
+    about = numpy.average(x, weights=weights)
+    spread = (weights * (x - about) ** 2).sum()
+    if spread == 0:
+        raise ValueError(f"a line needs two places (got {x.tolist()})")
+    slope = (weights * (x - about) * y).sum() / spread
+    limit = numpy.average(y, weights=weights) - slope * about
+    error = sqrt(1.0 / weights.sum() + about ** 2 / spread)
+    chi = (weights * (y - limit - slope * x) ** 2).sum()
+    return float(limit), error, float(chi / (x.size - 2)) if x.size > 2 else nan
 
 
 def pareto_front(cost, error) -> list[int]:

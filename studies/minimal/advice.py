@@ -2,14 +2,13 @@
 """Beds by the decks' default and by what the decks advise (quick 1), and whether they are alike."""
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import numpy
 import pandas
 
 from studies.common import cases, settling
-from studies.common.rows import provenance, read_rows, write_rows
+from studies.common.rows import provenance, write_rows
 from studies.common.statistics import equivalence
 
 REST_DECK = Path(__file__).resolve().with_name("in.rest")
@@ -18,18 +17,12 @@ QUANTITIES = {"vf_inner": "V_f, inner cylinder", "vf_whole": "V_f, whole vessel"
 
 
 def settle(folder, aspect: float, seed: int, way: str, limits: str, number: int, build):
-    """way: `today`, the decks' default, ended at rest; `full`, the same to its end at 10 s; `quick`;
-    or fF_kK, a time step of F times the limit and a stiffness of K times the decks'."""
-    if way in ("today", "full"):
-        return settling.settle_rods(folder, aspect, seed, limits=limits, rest=way == "today",
-                                    number=number or None, build=build)
-    if way == "quick":
-        return settling.pour_and_settle(
-            folder, settling.bed_variables(aspect, seed, limits, number or None) | {"quick": 1},
-            build)
-    fraction, stiffness = map(float, re.fullmatch(r"f([\d.]+)_k([\d.]+)", way).groups())
-    return settling.settle_rods(folder, aspect, seed, stiffness, fraction, limits=limits,
-                                total_time=4.0, number=number or None, build=build)
+    """way: `today`, the decks' default, ended at rest, or `quick`."""
+    if way == "today":
+        return settling.settle_rods(folder, aspect, seed, limits=limits, number=number or None,
+                                    build=build)
+    return settling.pour_and_settle(
+        folder, settling.bed_variables(aspect, seed, limits, number or None) | {"quick": 1}, build)
 
 
 def bed(path, aspect: float, seed: int, way: str, limits: str, number: int, build) -> None:
@@ -40,21 +33,6 @@ def bed(path, aspect: float, seed: int, way: str, limits: str, number: int, buil
                        **settling.measure(settled, aspect, seed, build)}])
     for old in folder.glob("restart.*"):
         old.unlink()
-
-
-def collect(paths, packing, out) -> None:
-    """Puts the beds into one table, with those of studies/packing, which are the decks' default run
-    to 10 s: beds of their own, as another version of the plug-in poured them."""
-    table = pandas.concat([read_rows(path) for path in paths], ignore_index=True)
-    for path in packing:
-        kept = read_rows(path).rename(columns={
-            "mean_elevation_deg": "elevation_deg", "contacts_per_rod": "contacts",
-            "time_s": "end_time_s", "mean_overlap_over_diameter": "overlap_mean",
-            "largest_overlap_over_diameter": "overlap_max",
-            "momentary_overlap_over_diameter": "overlap_ever"}).assign(way="full")
-        kept = kept[kept["limits"].isin(table["limits"]) & kept["lambda"].isin(table["lambda"])]
-        table = pandas.concat([table, kept[[c for c in table if c in kept]]], ignore_index=True)
-    write_rows(out, table.sort_values(["limits", "lambda", "way", "seed"], kind="stable"))
 
 
 def default_to_its_end(folder: Path, aspect: float, seed: int, limits: str, number: int,
@@ -99,30 +77,19 @@ def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int,
 def equivalences(runs: pandas.DataFrame, bound: float) -> list[dict]:
     """For each kind of limits and aspect ratio, and for all ratios together (0), whether quick 1 gives
     the same means as the default within `bound`: relative, 90 % confidence intervals, as two one-sided
-    tests of 5 % have."""
+    tests of 5 % have. Together: the mean of the differences of all ratios."""
     result = []
     for limits, beds in runs.groupby("limits", sort=False):
-        relative = []
-        for _, part in beds.groupby("lambda"):
-            means = part[part["way"] != "quick"][list(QUANTITIES)].mean()
-            relative.append(part.assign(**{q: part[q] / means[q] for q in QUANTITIES}))
-        everything = pandas.concat(relative)
-        for aspect, part in [*everything.groupby("lambda"), (0.0, everything)]:
-            result += equivalences_of(part, bound, {"limits": limits, "lambda": aspect})
-    return result
-
-
-def equivalences_of(beds: pandas.DataFrame, bound: float, which: dict) -> list[dict]:
-    today, quick = beds[beds["way"] != "quick"], beds[beds["way"] == "quick"]
-    result = []
-    for quantity in QUANTITIES:
-        if min(len(today), len(quick)) < 2:
-            continue
-        found = equivalence(today[quantity], quick[quantity], bound)
-        result.append({**which, "quantity": quantity, "beds_today": len(today),
-                       "beds_quick": len(quick), "difference": found.difference,
-                       "low": found.low, "high": found.high, "bound": bound,
-                       "equivalent": int(found.equivalent),
-                       "scatter_today": today[quantity].std(ddof=1),
-                       "scatter_quick": quick[quantity].std(ddof=1)})
+        aspects = sorted(beds["lambda"].unique())
+        for aspect, parts in [*((a, [a]) for a in aspects), (0.0, aspects)]:
+            for quantity in QUANTITIES:
+                pairs = [tuple(part.loc[part["way"] == way, quantity] for way in ("today", "quick"))
+                         for part in (beds[beds["lambda"] == a] for a in parts)]
+                found = equivalence(pairs, bound)
+                result.append({
+                    "limits": limits, "lambda": aspect, "quantity": quantity,
+                    "beds_today": sum(len(a) for a, _ in pairs),
+                    "beds_quick": sum(len(b) for _, b in pairs), "difference": found.difference,
+                    "low": found.low, "high": found.high, "bound": bound,
+                    "equivalent": int(found.equivalent)})
     return result

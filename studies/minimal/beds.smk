@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Beds by the decks' default and by quick 1, a job a bed.
-PACKING = str(ROOT / "studies" / "packing" / "results" / "beds.csv")   # its beds are run to 10 s
 FRESH_RUNS = str(RESULTS / "fresh_beds.csv")
 EQUIVALENCE = str(RESULTS / "equivalence.csv")
-CHOICES = str(RESULTS / "choices.csv")      # by the choosing seeds
 SECONDS = str(RESULTS / "seconds.csv")      # timed alone
-CHOICE_WAYS = [f"f{c['fraction']:g}_k{c['stiffness']:g}" for c in config["choices"]]
 BED_LIMITS = choices_of("limits", ["study", "none"])
 
 
 wildcard_constraints:
     aspect="[0-9.]+",
     seed="[0-9]+",
-    way="today|full|quick|f[0-9.]+_k[0-9.]+",
+    way="today|quick",
     limits="study|none",
 
 
@@ -31,23 +28,10 @@ if not KEPT:
 
     rule fresh_runs:
         input:
-            beds=wanted(expand("beds/{aspect}_{limits}_{way}_s{seed}.csv", aspect=ASPECTS,
-                               seed=values_of("fresh_seeds"), limits=BED_LIMITS,
-                               way=["today", "quick"])),
-            packing=[PACKING] if truth("with_packing") else []
+            wanted(expand("beds/{aspect}_{limits}_{way}_s{seed}.csv", aspect=ASPECTS,
+                          seed=values_of("fresh_seeds"), limits=BED_LIMITS, way=["today", "quick"]))
         output: FRESH_RUNS
-        run: advice.collect(input.beds, input.packing, output[0])
-
-    rule choices:
-        input:
-            wanted(expand("beds/{aspect}_none_{way}_s{seed}.csv", seed=values_of("choosing_seeds"),
-                          aspect=ASPECTS, way=["today", *CHOICE_WAYS]))
-        output: CHOICES
-        run:
-            if input:
-                rows.collect(input, output[0], by=["lambda", "way", "seed"])
-            else:
-                Path(output[0]).write_text("lambda,way,seed\n")
+        run: rows.collect(input, output[0], by=["limits", "lambda", "way", "seed"])
 
     # From the first rod placed to the end, the decks' default to 10 s beside quick 1, in turns.
     rule seconds:

@@ -39,8 +39,7 @@ def bed_lines(runs: pandas.DataFrame) -> list[list[str]]:
                                ("contacts", 2)):
             error = part[name].std(ddof=1) / len(part) ** 0.5 if len(part) > 1 else float("nan")
             cells.append(with_error((part[name].mean(), error), decimals))
-        rested = part[part["way"] != "full"]["cpu_s"]
-        lines.append(cells + [figure(rested.median(), 2)])
+        lines.append(cells + [figure(part["cpu_s"].median(), 2)])
     return lines
 
 
@@ -61,17 +60,6 @@ def second_lines(table: pandas.DataFrame) -> list[list[str]]:
                       f"{figure(part.loc['full', 'rested_at_s'], 2)}, "
                       f"{figure(part.loc['quick', 'rested_at_s'], 2)}",
                       figure(part.loc["quick", "times_fewer"], 2)])
-    return lines
-
-
-def choice_lines(table: pandas.DataFrame) -> list[list[str]]:
-    lines = []
-    for (aspect, way), part in table.groupby(["lambda", "way"]):
-        lines.append([f"{aspect:g}", way.replace("_", ", ").replace("f0", "step 0")
-                      .replace("k", "stiffness × ").replace("today", "default"), str(len(part)),
-                      fixed(part["end_time_s"].mean(), 1), fixed(part["vf_inner"].mean(), 3),
-                      fixed(part["elevation_deg"].mean(), 1), fixed(part["contacts"].mean(), 2),
-                      fixed(100 * part["overlap_ever"].max(), 0)])
     return lines
 
 
@@ -103,18 +91,18 @@ def deck_settings() -> dict:
             "step_fraction": quick["dt"] / settling.time_step_limit(20.0)}
 
 
-def values(runs, equivalence, choices, seconds, features, bound: float) -> dict:
-    runs, equivalence, choices, seconds, features = map(
-        read_rows, (runs, equivalence, choices, seconds, features))
+def values(runs, equivalence, seconds, features, bound: float) -> dict:
+    runs, equivalence, seconds, features = map(
+        read_rows, (runs, equivalence, seconds, features))
     beds = runs[runs["way"] == "quick"]
     shown = equivalence[equivalence["equivalent"] == 1]
     return {
         "features": feature_lines(features), "off": off_costs(features),
         "beds": bed_lines(runs), "equivalence": equivalence_lines(equivalence),
-        "seconds": second_lines(seconds), "choices": choice_lines(choices), "bound": 100 * bound,
+        "seconds": second_lines(seconds), "bound": 100 * bound,
         "shown": len(shown), "asked": len(equivalence),
         "machine": " and ".join(sorted(features["machine"].dropna().unique())),
-        "turns": int(seconds["turns"].iloc[0]) if len(seconds) else 0, "packing_beds": int((runs["way"] == "full").sum()),
+        "turns": int(seconds["turns"].iloc[0]) if len(seconds) else 0,
         **deck_settings(),
         "not_rested": int((beds["rested"] == 0).sum()), "quick_beds": len(beds),
         "overlap_ever": 100 * runs.groupby(runs["way"] == "quick")["overlap_ever"].max(),

@@ -12,11 +12,12 @@ import pandas
 from studies.common import settling
 from studies.common.pages import figure, fixed, with_error
 from studies.common.rows import write_rows
-from studies.common.statistics import mean_and_error
+from studies.common.statistics import limit_of_line, mean_and_error
 
 QUANTITIES = {"vf_inner": "inner", "vf_whole": "whole", "elevation_deg": "elevation",
               "contacts": "contacts"}
 CASE = ["lambda", "method", "n", "rule", "stiffness", "time_step_over_limit"]
+SMALL_STEP = 1.5   # a step of at most so many times the reference's counts as small
 NAMES = {"inner": "V_f, inner cylinder", "whole": "V_f, whole vessel", "elevation": "mean elevation",
          "contacts": "contacts a rod"}
 
@@ -162,27 +163,43 @@ def cheapest(charted_rows: pandas.DataFrame) -> list[list[str]]:
     return lines
 
 
-def extrapolated(runs: pandas.DataFrame, reference: dict) -> list[list[str]]:
-    """V_f of glued spheres against the depth of their grooves, which goes to 0 as n grows, beside the
-    reference: a line through the two finest."""
+def limit(groups, place) -> tuple[float, float, float]:
+    """V_f of the inner cylinder where `place` of a case is 0, its standard error, and chi squared a
+    degree of freedom, by a line through the means of cases of two beds and more; NaN of fewer than
+    two of them."""
+    cases = [(place(part), *mean_and_error(part["vf_inner"])) for _, part in groups if len(part) > 1]
+    if len(cases) < 2:
+        return math.nan, math.nan, math.nan
+    return limit_of_line(*zip(*cases))
+
+
+def limits(runs: pandas.DataFrame, reference: dict) -> list[list[str]]:
+    """The reference beside two limits: of stiff contacts, where rods no longer overlap, and of glued
+    spheres where the grooves between them, which get as shallow as n is large, are gone."""
     lines = []
     for aspect in sorted(runs["lambda"].unique()):
-        limit = reference_of(runs, aspect, reference)
-        theirs = runs[(runs["lambda"] == aspect) & (runs["method"] == "multisphere")
-                      & (runs["divided_by"] == 1)]
-        if limit.empty or theirs.empty:
+        here = runs[runs["lambda"] == aspect]
+        there = reference_of(runs, aspect, reference)
+        if there.empty:
             continue
-        cells = [f"{aspect:g}"]
-        means = {int(n): part["vf_inner"].mean() for n, part in theirs.groupby("n")}
-        cells.append("; ".join(f"n = {n}, {groove(aspect, n):.3f}: {means[n]:.3f}"
-                               for n in sorted(means)))
-        if len(means) > 1:
-            a, b = sorted(means)[-2:]
-            ga, gb = groove(aspect, a), groove(aspect, b)
-            cells.append(fixed(means[b] - gb * (means[a] - means[b]) / (ga - gb), 3))
-        else:
-            cells.append("–")
-        cells.append(with_error(mean_and_error(limit["vf_inner"]), 3))
+        small = reference["fraction"] * SMALL_STEP
+        rods = here[(here["method"] == "rods") & (here["rule"] == reference["rule"])
+                    & (here["time_step_over_limit"] <= small)]
+        spheres = here[(here["method"] == "multisphere") & (here["divided_by"] == 1)]
+        if not spheres.empty:
+            step = spheres["time_step_over_limit"].max()
+            spheres = spheres[spheres["time_step_over_limit"] == step]
+        stiff = limit(rods.groupby(["stiffness", "time_step_over_limit"]),
+                      lambda part: part["overlap_mean"].mean())
+        smooth = limit(spheres.groupby("n"), lambda part: groove(aspect, int(part["n"].iloc[0])))
+        wanted = mean_and_error(there["vf_inner"])
+        cells = [f"{aspect:g}", with_error(wanted, 3)]
+        for value, error, chi in (stiff, smooth):
+            away = math.hypot(error, wanted[1])
+            cells += ["–", "–"] if math.isnan(value) else [
+                with_error((value, error), 3) + ("" if math.isnan(chi) else f" ({fixed(chi, 1)})"),
+                f"{100 * (value / wanted[0] - 1):+.1f} ± {100 * away / wanted[0]:.1f} %"
+                .replace("-", "−")]
         lines.append(cells)
     return lines
 
@@ -191,7 +208,7 @@ def page_values(runs: pandas.DataFrame, charted_rows: pandas.DataFrame, referenc
                 results: str) -> dict:
     spheres = runs[runs["method"] == "multisphere"]
     return {"beds": bed_lines(runs), "cheapest": cheapest(charted_rows),
-            "extrapolated": extrapolated(runs, reference), "results": results,
+            "limits": limits(runs, reference), "results": results,
             "machine": " and ".join(sorted(runs["machine"].unique())),
             "aspects": ", ".join(f"{a:g}" for a in sorted(runs["lambda"].unique())),
             "quantities": [(f"bed_{q}", NAMES[q]) for q in NAMES

@@ -22,47 +22,52 @@ def test_mean_and_standard_error():
     assert math.isnan(statistics.mean_and_error([7])[1])
 
 
-# Student's t of 97.5 % for three degrees of freedom is 3.182446 (tables).
-def test_confidence_interval():
-    low, high = statistics.confidence_interval([6, 1, 3, 2])
-    assert high - 3 == pytest.approx(3.182446 * math.sqrt(14 / 12), rel=1e-6)
-    assert 3 - low == pytest.approx(high - 3)
-    assert statistics.confidence_interval([1]) == (-math.inf, math.inf)
-
-
-# Differences 1 of two samples of variance 1: error sqrt(2/3), 4 degrees of freedom, t of 95 %
-# 2.131847; paired differences 1, 1, 2: error 1/3, 2 degrees, t 2.919986 (tables).
+# Two samples of mean 2 and variance 1 each: error sqrt(2/3)/2 of the mean, 4 degrees of freedom, t of
+# 95 % 2.131847; two such pairs: error of their mean sqrt(1/12), 8 degrees, 1.859548 (tables).
 def test_equivalence():
-    two = statistics.equivalence([1, 2, 3], [2, 3, 4], bound=2.8)
-    assert two.difference == pytest.approx(1)
-    assert two.high - 1 == pytest.approx(2.131847 * math.sqrt(2 / 3), rel=1e-6)
-    assert two.equivalent
-    assert not statistics.equivalence([1, 2, 3], [2, 3, 4], bound=2.7).equivalent
-    assert not statistics.equivalence([2, 3, 4], [1, 2, 3], bound=2.7).equivalent
-    pairs = statistics.equivalence([1, 2, 3], [2, 3, 5], bound=2.4, paired=True)
-    assert pairs.difference == pytest.approx(4 / 3)
-    assert pairs.high - 4 / 3 == pytest.approx(2.919986 / 3, rel=1e-6)
-    assert pairs.equivalent
+    pair = ([1, 2, 3], [3, 1, 2])
+    one = statistics.equivalence([pair], bound=0.871)
+    assert one.difference == pytest.approx(0)
+    assert one.high == pytest.approx(2.131847 * math.sqrt(2 / 3) / 2, rel=1e-6)
+    assert one.low == pytest.approx(-one.high) and one.equivalent
+    assert not statistics.equivalence([pair], bound=0.870).equivalent
+    two = statistics.equivalence([pair, pair], bound=0.54)
+    assert two.high == pytest.approx(1.859548 * math.sqrt(1 / 12), rel=1e-6)
+    assert two.equivalent and not statistics.equivalence([pair, pair], bound=0.53).equivalent
+    apart = statistics.equivalence([pair, ([1, 2, 3], [2, 3, 4])], bound=0.1)
+    assert apart.difference == pytest.approx(0.25) and not apart.equivalent
     with pytest.raises(ValueError, match="two values or more of each"):
-        statistics.equivalence([1], [2, 3], bound=1)
+        statistics.equivalence([([1], [2, 3])], bound=1)
     with pytest.raises(ValueError, match="must be > 0"):
-        statistics.equivalence([1, 2], [2, 3], bound=0)
+        statistics.equivalence([([1, 2], [2, 3])], bound=0)
 
 
-# 2 + 3 h² at h = 0.1, 0.2, 0.4: limit 2, order 2, to round-off.
-def test_richardson_gives_limit_and_order():
-    h = [0.4, 0.1, 0.2]
-    limit, order = statistics.richardson(h, [2 + 3 * x * x for x in h])
-    assert limit == pytest.approx(2, abs=1e-13)
-    assert order == pytest.approx(2, abs=1e-10)
+# Of samples of which the second has a mean 2 % larger, nine in ten intervals hold the 2 %; half of
+# the others lie on either side.
+def test_intervals_hold_the_difference_as_often_as_they_say():
+    random, rounds, below, above = numpy.random.default_rng(7), 2000, 0, 0
+    for _ in range(rounds):
+        pairs = [(scale * random.normal(1.0, 0.04, 6), scale * random.normal(1.02, 0.06, 9))
+                 for scale in (0.4, 6.0)]
+        found = statistics.equivalence(pairs, bound=0.03)
+        below += found.high < 0.02
+        above += found.low > 0.02
+    scatter = math.sqrt(0.05 * 0.95 / rounds)
+    assert abs(below / rounds - 0.05) < 4 * scatter and abs(above / rounds - 0.05) < 4 * scatter
 
 
-def test_richardson_says_where_it_does_not_apply():
-    assert all(map(math.isnan, statistics.richardson([1, 2, 4], [0, 1, 0.5])))  # no power law
-    assert statistics.richardson([1, 2, 4], [3, 3, 3])[0] == 3
-    for h in ([1, 2], [1, 2, 3]):
-        with pytest.raises(ValueError, match="richardson needs"):
-            statistics.richardson(h, [1] * len(h))
+# y = 1 + 2 x, hit by all; of equal errors e at x = 1, 2, 3 the limit's is e sqrt(1/3 + 4/2).
+def test_limit_of_a_line():
+    limit, error, chi = statistics.limit_of_line([1, 2, 3], [3, 5, 7], [0.1, 0.1, 0.1])
+    assert limit == pytest.approx(1) and error == pytest.approx(0.1 * math.sqrt(1 / 3 + 2))
+    assert chi == pytest.approx(0, abs=1e-20)
+    # A value that counts for nothing: the line of the others, for which error and limit are known.
+    limit, error, chi = statistics.limit_of_line([1, 2, 3], [3, 5, 99], [0.1, 0.2, 1e6])
+    assert limit == pytest.approx(1) and error == pytest.approx(math.hypot(0.2, 0.2))
+    assert math.isnan(statistics.limit_of_line([1, 2], [3, 5], [1, 1])[2])
+    for x, errors in (([1], [1]), ([1, 1], [1, 1]), ([1, 2], [1, 0])):
+        with pytest.raises(ValueError, match="a line needs"):
+            statistics.limit_of_line(x, x, errors)
 
 
 def test_pareto_front():

@@ -56,7 +56,7 @@ def runs_of(shift, scatter, count=30):
     rng = np.random.default_rng(5)
     result = []
     for aspect in (10, 20):
-        for way in ("today", "full", "quick"):
+        for way in ("today", "quick"):
             for seed in range(count):
                 factor = (shift if way == "quick" else 1) * (1 + scatter * rng.normal())
                 result.append({"limits": "none", "lambda": aspect, "way": way, "seed": seed,
@@ -67,11 +67,11 @@ def runs_of(shift, scatter, count=30):
 def test_equivalence_is_shown_refused_or_left_open():
     alike = pandas.DataFrame(advice.equivalences(runs_of(1.0, 0.01), 0.03))
     assert list(alike["lambda"].unique()) == [10, 20, 0] and alike["equivalent"].all()
-    assert (alike["beds_today"] == [60] * 8 + [120] * 4).all()
+    assert (alike["beds_today"] == [30] * 8 + [60] * 4).all()
     apart = pandas.DataFrame(advice.equivalences(runs_of(1.05, 0.01), 0.03))
     assert not apart["equivalent"].any() and (apart["low"] > 0.03).all()
     few = pandas.DataFrame(advice.equivalences(runs_of(1.0, 0.05, 3), 0.03))
-    assert not few["equivalent"].any() and (few["low"] < 0).all()
+    assert not few["equivalent"].any() and ((few["low"] < 0.03) & (few["high"] > -0.03)).all()
 
 
 # --- Beds of the chart. --------------------------------------------------------------------------
@@ -124,8 +124,8 @@ def test_changes_against_the_scene_as_it_is():
 
 def test_settings_of_the_decks():
     found = page.deck_settings()
-    assert found["step_times"] == pytest.approx(4) and found["default_time"] == 10
-    assert 0.33 < found["step_fraction"] < 0.37
+    assert found["step_times"] == pytest.approx(2.5) and found["default_time"] == 10
+    assert 0.21 < found["step_fraction"] < 0.23
 
 
 def test_the_kept_page_is_that_of_the_kept_tables(study, tmp_path):
@@ -155,12 +155,12 @@ def test_the_smallest_run(study, tmp_path):
     assert table.loc[("gas", "all off by name"), "megabytes_more"] == 0
     assert (table["microseconds"] > 0).all()
     runs = read_rows(results / "fresh_beds.csv")
-    assert sorted(runs["way"]) == ["quick", "quick", "today", "today"]
+    assert list(runs["way"]) == ["quick", "quick", "today", "today"]
     assert (runs["rested"] == 1).all() and (runs["version"].nunique() == 1)
     seconds = read_rows(results / "seconds.csv")
     seconds = seconds.set_index("way")
     assert (seconds["seconds"] >= seconds["seconds_to_rest"]).all()
-    assert seconds.loc["quick", "rested_at_s"] <= 4 < 10
+    assert seconds.loc["quick", "rested_at_s"] <= 3 < 10
     assert "A settled bed in fewer seconds" in (results / "README.md").read_text()
 
 
