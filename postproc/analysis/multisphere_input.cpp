@@ -139,9 +139,9 @@ std::string box_commands(const BoxBounds &box, const std::array<bool, 3> &period
   std::string text;
   if (kinds.size() == 1) text = fmt::format("variable rod_mass index {}\n", mass_of(kinds[0]).mass);
   return text + fmt::format(
-                    "variable types index {}\nboundary{}\nregion box block{} units box\n"
-                    "create_box ${{types}} box\n",
-                    types, flags, bounds);
+                    "variable rod_types index {}\nvariable types index {}\nboundary{}\n"
+                    "region box block{} units box\ncreate_box ${{types}} box\n",
+                    types, types, flags, bounds);
 }
 
 std::string template_file(const RodKind &kind)

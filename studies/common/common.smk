@@ -18,6 +18,7 @@ import os
 import sys
 from pathlib import Path
 
+import yaml
 from snakemake.exceptions import WorkflowError
 
 HERE = Path(workflow.basedir).resolve()
@@ -122,6 +123,11 @@ configfile: str(HERE / "config.yaml")
 _started_in = os.environ.setdefault("STUDY_STARTED_IN", os.getcwd())
 STUDY = HERE.name if HERE.parent.name == "studies" else HERE.relative_to(ROOT).as_posix()
 KEPT = truth("kept")
+_known = {"kept", "quick", "smoke", "build", "work", "results",
+          *yaml.safe_load((HERE / "config.yaml").read_text())} - {"modes"}
+for _name in workflow.overwrite_config:
+    if _name not in _known:
+        refuse(f"{_name} is not in its config.yaml (expected one of {', '.join(sorted(_known))})")
 MODE = "smoke" if truth("smoke") else "quick" if truth("quick") else "full"
 for _name, _value in (config.get("modes", {}).get(MODE) or {}).items():
     if _name not in workflow.overwrite_config:

@@ -120,9 +120,9 @@ def write_rods(scene: Scene, folder: Path) -> None:
 
 
 def sphere_places(length: float, spacing: float) -> np.ndarray:
-    """Along the axis, from the rod's centre."""
-    count = round((length - DIAMETER) / spacing) + 1
-    return (np.arange(count) - 0.5 * (count - 1)) * spacing
+    """Along the axis, from the rod's centre: evenly from end to end, at most `spacing` apart."""
+    half = 0.5 * (length - DIAMETER)
+    return np.linspace(-half, half, 1 + int(np.ceil(2.0 * half / spacing - 1e-9)))
 
 
 def write_spheres(scene: Scene, folder: Path, spacing: float) -> int:

@@ -249,7 +249,8 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--turns", type=int, default=3)
     parser.add_argument("--seed", type=int, default=86028121)
     given = parser.parse_args()
-    given.command = (f"sweep.py run {given.scene} {given.aspect:g} --code {given.code}")
+    given.command = (f"sweep.py run {given.scene} {given.aspect:g} --code {given.code} "
+                     f"--copies {given.copies} --spheres {given.spheres}")
     return given
 
 

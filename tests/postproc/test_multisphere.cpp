@@ -354,9 +354,17 @@ TEST_F(Multisphere, RodsComeBackFromStockLiggghts)
   const std::string deck = PROJECT_FOLDER "/examples/multisphere/";
   for (const char *name : {"in.multisphere", "in.law"})
     std::filesystem::copy(deck + name, folder() / name);
-  // Both types of rods are of one material; the deck's walls are of type 2, of which it has none.
-  ASSERT_EQ(run("liggghts -in in.multisphere -var rods peer -var rod_mass 1 -var steps 0 "
-                "-var dump_every 1"),
+  // What the deck cannot know is asked for.
+  run("liggghts -in in.multisphere -var rods peer");
+  EXPECT_NE(out_.find("ERROR: in.law: rods must be of type 1, of type 2 are walls, with damping of "
+                      "their own (got rods of type 2)"),
+            std::string::npos)
+      << out_;
+  run("liggghts -in in.multisphere -var rods peer -var rod_types 1");
+  EXPECT_NE(out_.find("ERROR: in.law: rod_mass must be > 0"), std::string::npos) << out_;
+  // No contact is asked for in no steps.
+  ASSERT_EQ(run("liggghts -in in.multisphere -var rods peer -var rod_types 1 -var rod_mass 1 "
+                "-var steps 0 -var dump_every 1"),
             0)
       << out_;
   EXPECT_EQ(out_.find("ERROR"), std::string::npos) << out_;

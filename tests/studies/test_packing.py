@@ -259,6 +259,7 @@ def test_the_smallest_run(study, tmp_path, programs):
     ("lambdas=[10,inf]", "packing: lambdas must be a number >= 1 (got inf)"),
     ("lambdas=[15]", "packing: lambda 15 is not in Table 1 of the study"),
     ("limits=[some]", "packing: limits must be among study, none (got some)"),
+    ("sedes=2", "packing: sedes is not in its config.yaml (expected one of build, "),
     ("quick=maybe", "packing: quick must be 0 or 1 (got 'maybe')"),
     ("build=/nowhere", "lmp is not there: scripts/build makes it")])
 def test_wrong_settings_are_refused(study, setting, words):

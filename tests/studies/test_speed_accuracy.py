@@ -206,6 +206,7 @@ def test_a_scene_is_the_same_each_time_and_other_for_another_seed():
 
 def test_spheres_of_a_rod():
     assert [sweep.spheres_of(10, s) for s in (2, 1, 0.5, 0.25)] == [10, 19, 37, 73]
+    assert codes.sphere_places(0.025, 0.01) == pytest.approx([-0.0075, 0, 0.0075])  # not all so far apart
     places = codes.sphere_places(0.1, 0.01)
     assert places[0] == pytest.approx(-0.045) and places[-1] == pytest.approx(0.045)
 
