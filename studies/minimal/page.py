@@ -105,6 +105,7 @@ def values(runs, equivalence, seconds, features, bound: float) -> dict:
         "turns": int(seconds["turns"].iloc[0]) if len(seconds) else 0,
         **deck_settings(),
         "not_rested": int((beds["rested"] == 0).sum()), "quick_beds": len(beds),
+        "today_beds": len(runs) - len(beds),
         "overlap_ever": 100 * runs.groupby(runs["way"] == "quick")["overlap_ever"].max(),
         "particles": int(features["particles"].iloc[0]), "steps": int(features["steps"].iloc[0]),
     }

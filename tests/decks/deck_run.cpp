@@ -151,7 +151,7 @@ Table read_thermo(const std::string &output)
     if (!words.empty() && words[0] == "Step") {
       table = {words, {}};
       inside = true;
-    } else if (inside) {
+    } else if (inside && line.rfind("WARNING", 0) != 0) {  // which may come between rows
       const std::vector<double> numbers = numbers_of(line);
       inside = numbers.size() == table.columns.size();
       if (inside) table.rows.push_back(numbers);

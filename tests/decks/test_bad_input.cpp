@@ -555,16 +555,20 @@ TEST(BadInput, StageThatDoesNotFitItsBed)
       << outcome.output;
 }
 
-TEST(BadInput, QuickIsOneOrNone)
+TEST(BadInput, ValuesOfTheStudysDecks)
 {
   const DeckFolder folder;
   for (const char *name : {"in.rods", "in.contact", "in.fill"})
     std::filesystem::copy(std::filesystem::path(INPUT_FOLDER) / name, folder / name);
-  folder.write("in.pour", "variable quick index 2\ninclude in.fill\n");
-  const Outcome outcome = folder.run("in.pour");
-  EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_NE(outcome.output.find("quick must be 0 or 1 (got 2)"), std::string::npos)
-      << outcome.output;
+  for (const auto &[variable, sentence] :
+       {std::pair{"quick index 2", "quick must be 0 or 1 (got 2)"},
+        {"skin_diameters index 0", "skin_diameters must be > 0 (got 0)"}}) {
+    folder.write("in.pour", std::string("variable ") + variable + "\ninclude in.fill\n");
+    const Outcome outcome = folder.run("in.pour");
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_NE(outcome.output.find(std::string("ERROR: in.rods: ") + sentence), std::string::npos)
+        << outcome.output;
+  }
 }
 
 TEST(BadInput, TimeStepFarTooLongIsWarnedAbout)

@@ -115,6 +115,27 @@ def test_kept_figure_shows_the_kept_table(tmp_path):
         assert label in svg or label.replace("λ", "&#955;") in svg
 
 
+# "in the study's settled beds 4 and 12 times faster than λ touching spheres a rod for λ = 10 and 30, 8
+# and 27 times faster than 2λ − 1 that overlap; in a gas of λ = 100 85 and 180 times"
+def test_figures_of_the_main_page():
+    table = read_rows(KEPT)
+    table = table[table["ranks"] == 1]
+
+    def times(scene, aspect, n):
+        part = table[(table["scene"] == scene) & (table["lambda"] == aspect)
+                     & (table["code"] == f"multisphere n={n}")]
+        return float(part["peer_over_plugin"].iloc[0])
+
+    text = " ".join((ROOT / "README.md").read_text().split())
+    found = re.search(r"settled beds (\d+) and (\d+) times faster than λ touching spheres a rod for "
+                      r"λ = 10 and 30, (\d+) and (\d+) times faster than 2λ − 1 that overlap; in a gas "
+                      r"of λ = 100 (\d+) and (\d+) times", text)
+    measured = [times("bed", 10, 10), times("bed", 30, 30), times("bed", 10, 19),
+                times("bed", 30, 59), times("gas", 100, 100), times("gas", 100, 199)]
+    assert [float(f"{value:.2g}") for value in measured] == \
+        pytest.approx(list(map(float, found.groups())), rel=0.05)
+
+
 def test_a_missing_row_is_said():
     table = read_rows(KEPT)
     with pytest.raises(ValueError, match="speed.csv has 0 rows of bed 11 500 1 plugin, wanted one"):
