@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The decks of input/ on several ranks: all rods are placed, and each rank has its share of them when
-// they have come down.
+// The decks of input/: on several ranks all rods are placed, and each rank has its share of them when
+// they have come down; what can be chosen does what it says.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "deck_run.h"
 
@@ -30,6 +34,20 @@ constexpr const char *kShare =
     "variable even equal f_even\n"
     "print \"imbalance ${even}\"\n";
 
+void copy_decks(const DeckFolder &folder)
+{
+  for (const auto &deck : std::filesystem::directory_iterator(INPUT_FOLDER))
+    std::filesystem::copy(deck.path(), folder / deck.path().filename().string());
+}
+
+// Runs a stage of input/ with `given` before it.
+Outcome run_stage(const DeckFolder &folder, const std::string &stage, const std::string &given,
+                  int ranks = 1)
+{
+  folder.write("in." + stage + "_case", given + "include in." + stage + "\n");
+  return folder.run("in." + stage + "_case", {Program::Lmp, ranks});
+}
+
 double imbalance(const Outcome &outcome)
 {
   const std::string says = "\nimbalance ";
@@ -45,8 +63,7 @@ class StudyDecks : public testing::TestWithParam<int> {};
 TEST_P(StudyDecks, EachRankHasItsShare)
 {
   const DeckFolder folder;
-  for (const char *name : {"in.rods", "in.contact", "in.fill", "in.settle"})
-    std::filesystem::copy(std::filesystem::path(INPUT_FOLDER) / name, folder / name);
+  copy_decks(folder);
   for (const std::string stage : {"fill", "settle"}) {
     folder.write("in." + stage + "_case", kCase + ("include in." + stage + "\n") + kShare);
     const Outcome outcome = folder.run("in." + stage + "_case", {Program::Lmp, GetParam()});
@@ -61,8 +78,7 @@ TEST_P(StudyDecks, EachRankHasItsShare)
 TEST(StudyDecksQuick, EndsAtRest)
 {
   const DeckFolder folder;
-  for (const char *name : {"in.rods", "in.contact", "in.fill", "in.settle"})
-    std::filesystem::copy(std::filesystem::path(INPUT_FOLDER) / name, folder / name);
+  copy_decks(folder);
   const std::string vessel =
       "variable lambda index 5\nvariable vessel_diameter index 0.06\nvariable rods index 60\n"
       "variable vessel_height index 1.5\nvariable fill_time index 0.6\n"
@@ -80,6 +96,190 @@ TEST(StudyDecksQuick, EndsAtRest)
   EXPECT_NE(outcome.output.find("ended 1 at"), std::string::npos) << outcome.output;
   EXPECT_EQ(read_dump(folder / "dump.settle").back().step, static_cast<long>(last));
   EXPECT_TRUE(std::filesystem::exists(folder / "restart.settle"));
+}
+
+// --- What can be chosen -------------------------------------------------------------------------
+
+constexpr double kGravity = 9.81;
+// Rods of 0.05 m.
+constexpr const char *kVessel =
+    "variable lambda index 5\nvariable vessel_diameter index 0.08\nvariable rods index 64\n"
+    "variable vessel_height index 1.5\nvariable limit_fill index 0\n"
+    "variable limit_settle index 0\n";
+// The dump's first frame is that of the rods as placed.
+constexpr const char *kAsPlaced =
+    "variable dt index 1e-12\nvariable fill_time index 1e-12\nvariable dump_every index 1\n";
+
+struct Axis {
+  double heading, height;  // heading (degrees, 0 to 180) and vertical part of an axis
+};
+
+std::vector<Axis> axes_of(const Snapshot &frame)
+{
+  std::vector<Axis> axes;
+  for (size_t i = 0; i < frame.atoms.rows.size(); i++) {
+    const double q1 = frame.atoms.at(i, "quat1"), q2 = frame.atoms.at(i, "quat2"),
+                 q3 = frame.atoms.at(i, "quat3"), q4 = frame.atoms.at(i, "quat4");
+    const double x = 2 * (q2 * q4 + q1 * q3), y = 2 * (q3 * q4 - q1 * q2);
+    axes.push_back({std::fmod(std::atan2(y, x) * 180 / M_PI + 360.001, 180.0),
+                    std::abs(1 - 2 * (q2 * q2 + q3 * q3))});
+  }
+  return axes;
+}
+
+// A rod lies on the floor and slides along its axis: v = v_0 - mu g t, mu that of the walls.
+TEST(StudyDecksChoice, FrictionAtWallsIsTheirOwn)
+{
+  const DeckFolder folder;
+  copy_decks(folder);
+  folder.write("rods.data",
+               "rod\n\n1 atoms\n2 atom types\n-1 1 xlo xhi\n-1 1 ylo yhi\n-1 1 zlo zhi\n\n"
+               "Atoms\n\n1 1 0.01 0.1 2700 0 0 0.005 1 0 0\n\nVelocities\n\n1 1 0 0 0 0 0\n");
+  folder.write("in.slide",
+               "variable vessel_diameter index 1.0\nvariable friction index 0.5\n"
+               "variable friction_wall index 0.1\ninclude in.rods\nread_data rods.data\n"
+               "include in.contact\n" + exact_dump("dump.end", 2500, "id vx") + "run 2500\n");
+  const Outcome outcome = folder.run("in.slide");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NEAR(read_dump(folder / "dump.end").back().atoms.at(0, "vx"),
+              1.0 - 0.1 * kGravity * 2500 * 2e-5, 1e-3);
+}
+
+TEST(StudyDecksChoice, RodsStartUprightOrLevel)
+{
+  const DeckFolder folder;
+  copy_decks(folder);
+  for (const bool upright : {true, false}) {
+    const Outcome outcome = run_stage(
+        folder, "fill", std::string(kVessel) + kAsPlaced +
+                            (upright ? "variable vertical index 1\n"
+                                     : "variable horizontal index 1\n"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    std::map<long, int> headings;
+    const std::vector<Axis> axes = axes_of(read_dump(folder / "dump.fill").at(1));
+    ASSERT_EQ(axes.size(), 64u);
+    for (const Axis &axis : axes) {
+      EXPECT_NEAR(axis.height, upright ? 1.0 : 0.0, 1e-6);
+      headings[std::lround(axis.heading / 11.25)]++;
+    }
+    if (upright) continue;
+    ASSERT_EQ(headings.size(), 16u);  // 180/16 = 11.25 degrees apart
+    for (const auto &[heading, rods] : headings) EXPECT_EQ(rods, 4) << heading;
+  }
+}
+
+// A layer two lengths high falls from `drop` above the bed: no rod is faster than after a free fall of
+// both and a length, the room between the highest centre and the highest point that may be there.
+TEST(StudyDecksChoice, GentlyPouredRodsFallFromTheBedsTop)
+{
+  const DeckFolder folder;
+  copy_decks(folder);
+  const std::string gentle = std::string(kVessel) +
+                             "variable gentle index 1\nvariable layers index 4\nvariable fill_time index 1.0\n"
+                             "variable dt index 5e-5\nvariable dump_every index 400\n";
+  const Outcome outcome = run_stage(folder, "fill", gentle);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const std::vector<Snapshot> frames = read_dump(folder / "dump.fill");
+  for (const Snapshot &frame : frames) {
+    const long layers = std::min(4L, (frame.step + 4999) / 5000);
+    ASSERT_EQ(frame.atoms.rows.size(), static_cast<size_t>(16 * layers)) << frame.step;
+    for (size_t i = 0; i < frame.atoms.rows.size(); i++)
+      EXPECT_LE(std::abs(frame.atoms.at(i, "vz")), std::sqrt(2 * kGravity * (0.05 + 3 * 0.05)));
+  }
+  EXPECT_EQ(frames.back().atoms.rows.size(), 64u);
+
+  const Outcome uneven = run_stage(folder, "fill", "variable layers index 10\n" + gentle);
+  EXPECT_NE(uneven.output.find("rods must be a multiple of layers 10 (got 64)"), std::string::npos)
+      << uneven.output;
+  const Outcome hasty = run_stage(folder, "fill", "variable fill_time index 0.6\n" + gentle);
+  EXPECT_NE(hasty.output.find("fill_time must be layers 4 times as long (got 0.6)"),
+            std::string::npos)
+      << hasty.output;
+}
+
+TEST(StudyDecksChoice, LengthsSpreadEvenly)
+{
+  const DeckFolder folder;
+  copy_decks(folder);
+  const Outcome outcome =
+      run_stage(folder, "fill", std::string("variable rods index 63\nvariable length_spread index 0.2\n") +
+                                    kVessel + kAsPlaced);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  std::map<long, int> lengths;
+  const Table rods = read_dump(folder / "dump.fill").at(1).atoms;
+  for (size_t i = 0; i < rods.rows.size(); i++)
+    lengths[std::lround(2000 * rods.at(i, "shapez"))]++;
+  EXPECT_EQ(lengths, (std::map<long, int>{{40, 21}, {50, 21}, {60, 21}}));
+}
+
+// A rod that falls freely is seen from the vessel: it falls g t²/2 and the vessel's lift a/(2 pi f²)
+// more, a the largest acceleration, which no tap at rest before and after depends on when it ends.
+TEST(StudyDecksChoice, TapsLiftTheVessel)
+{
+  const DeckFolder folder;
+  copy_decks(folder);
+  const std::string one = "variable rods index 1\nvariable vessel_height index 10\n" + std::string(kVessel);
+  ASSERT_EQ(run_stage(folder, "fill", "variable fill_time index 2e-5\n" + one).exit_code, 0);
+  ASSERT_EQ(run_stage(folder, "settle", "variable total_time index 4e-5\n" + one).exit_code, 0);
+  const Outcome outcome = run_stage(folder, "tap",
+                                    "variable taps index 1\nvariable tap_strength index 3\n"
+                                    "variable tap_frequency index 20\nvariable tap_time index 0.2\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const std::vector<Snapshot> frames = read_dump(folder / "dump.tap");
+  ASSERT_EQ(frames.size(), 2u);
+  const double lift = 3 * kGravity / (2 * M_PI * 20 * 20);
+  EXPECT_NEAR(frames[0].atoms.at(0, "z") - frames[1].atoms.at(0, "z"),
+              kGravity * 0.2 * 0.2 / 2 + lift, 2e-4);  // a step or two at 2 m/s
+  EXPECT_NEAR(frames[1].atoms.at(0, "vz"), -kGravity * 0.2, 2e-3);
+}
+
+// The heap is wider than the vessel was, and every rod is there.
+TEST(StudyDecksChoice, TheBedCollapsesWithoutItsWall)
+{
+  const DeckFolder folder;
+  copy_decks(folder);
+  const std::string given = "variable quick index 1\nvariable fill_time index 0.7\n" + std::string(kVessel);
+  ASSERT_EQ(run_stage(folder, "fill", given).exit_code, 0);
+  ASSERT_EQ(run_stage(folder, "settle", given).exit_code, 0);
+  const Outcome outcome = run_stage(folder, "collapse",
+                                    "variable reach index 0.5\nvariable collapse_time index 0.3\n"
+                                    "variable dump_every index 2000\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const Table heap = read_dump(folder / "dump.collapse").back().atoms;
+  ASSERT_EQ(heap.rows.size(), 64u);
+  double widest = 0.0;
+  for (size_t i = 0; i < heap.rows.size(); i++)
+    widest = std::max(widest, std::hypot(heap.at(i, "x"), heap.at(i, "y")));
+  EXPECT_GT(widest, 0.06);
+  EXPECT_LT(widest, 0.54);
+}
+
+TEST(StudyDecksChoice, WrongValuesAreTold)
+{
+  const DeckFolder folder;
+  copy_decks(folder);
+  const std::pair<const char *, const char *> wrong[] = {
+      {"friction_wall index -1", "friction_wall must be >= 0 (got -1)"},
+      {"length_spread index 1", "length_spread must be >= 0 and < 1 (got 1)"},
+      {"vertical index 2", "vertical and horizontal must be 0 or 1 (got 2 and 0)"},
+      {"gentle index 3", "gentle must be 0 or 1 (got 3)"},
+      {"drop index -1", "layers must be >= 1 and drop >= 0 (got 10 and -1)"}};
+  for (const auto &[given, told] : wrong) {
+    const Outcome outcome = run_stage(folder, "fill", std::string("variable ") + given + "\n" + kVessel);
+    EXPECT_NE(outcome.output.find(told), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.exit_code, 0);
+  }
+  folder.write("in.case", "variable types index 1\nvariable out index .\n");
+  const Outcome changed = run_stage(folder, "settle", std::string("variable friction_wall index 0.1\n") + kVessel +
+                                                       "variable poured_length index 0.05\n");
+  EXPECT_NE(changed.output.find("poured with one friction for rods and walls (got friction 0.2 and "
+                                "friction_wall 0.1)"), std::string::npos)
+      << changed.output;
+  const Outcome outcome =
+      run_stage(folder, "tap", "variable tap_time index 0.01\n" + std::string(kVessel));
+  EXPECT_NE(outcome.output.find("tap_time must be longer than a tap, 1/tap_frequency (got 0.01 at 30.0)"),
+            std::string::npos)
+      << outcome.output;
 }
 
 INSTANTIATE_TEST_SUITE_P(, StudyDecks, testing::Values(1, 2, 3, 4),
