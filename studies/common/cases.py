@@ -22,6 +22,14 @@ class CaseError(RuntimeError):
     """A program that failed, in one sentence."""
 
 
+class DeckError(CaseError):
+    """A run that ended in an error of LIGGGHTS: `reason` is its line, `command` what was typed."""
+
+    def __init__(self, reason: str, command: str, where: str):
+        super().__init__(f"{reason} ({where})")
+        self.reason, self.command = reason, command
+
+
 @dataclass(frozen=True)
 class Run:
     loop_seconds: float  # of all `run` commands of the deck together, as LIGGGHTS gives them
@@ -83,7 +91,10 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
                         for word in [*spread, *command]])
     reason = failure(text, process.returncode)
     if reason:
-        raise CaseError(f"{reason} (in {folder}: {typed}; all of it in {screen})")
+        where = f"in {folder}: {typed}; all of it in {screen}"
+        if reason.startswith("ERROR"):
+            raise DeckError(reason, typed, where)
+        raise CaseError(f"{reason} ({where})")
     loops = [float(t) for t in re.findall(r"^Loop time of (\S+) on", text, re.MULTILINE)]
     return Run(sum(loops), usage.ru_utime + usage.ru_stime, log, typed)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import shutil
 from pathlib import Path
 
@@ -10,14 +11,16 @@ import numpy as np
 import pandas
 
 from studies.common import settling
+from studies.common.cases import DeckError
 from studies.common.pages import figure, fixed, with_error
-from studies.common.rows import write_rows
+from studies.common.rows import provenance, write_rows
 from studies.common.statistics import limit_of_line, mean_and_error
 
 QUANTITIES = {"vf_inner": "inner", "vf_whole": "whole", "elevation_deg": "elevation",
               "contacts": "contacts"}
 CASE = ["lambda", "method", "n", "rule", "stiffness", "time_step_over_limit"]
 SMALL_STEP = 1.5   # a step of at most so many times the reference's counts as small
+SPHERES_STEP = 0.36   # of glued spheres, of which the limit in n is taken
 NAMES = {"inner": "V_f, inner cylinder", "whole": "V_f, whole vessel", "elevation": "mean elevation",
          "contacts": "contacts a rod"}
 
@@ -39,25 +42,40 @@ def tidy(folder: Path, kept: Path) -> None:
 def rods(path, aspect, seed, rule, stiffness, fraction, time, number, build) -> None:
     """Writes the row of a bed of true rods. As for its peer, the skin of the host's lists is one that
     serves rods in their fall."""
-    bed = settling.settle_rods(folder_of(path), aspect, seed, stiffness, fraction, rule,
-                               total_time=time, number=number or None, skin=10.0, build=build)
-    write_rows(path, [{"lambda": aspect, "method": "rods", "n": 0, "rule": rule,
-                       "stiffness": stiffness, "time_step_over_limit": fraction, "divided_by": 1,
-                       **settling.measure(bed, aspect, seed, build)}])
-    tidy(folder_of(path), bed.dump)
+    row = {"lambda": aspect, "method": "rods", "n": 0, "rule": rule, "stiffness": stiffness,
+           "time_step_over_limit": fraction, "divided_by": 1}
+    write_bed(path, row, aspect, seed, build, lambda folder: settling.settle_rods(
+        folder, aspect, seed, stiffness, fraction, rule, total_time=time, number=number or None,
+        skin=10.0, build=build))
 
 
 def spheres(path, aspect, seed, spacing, contacts, fraction, time, number, deck, build) -> None:
     """Writes the row of a bed of rods glued of spheres."""
-    bed = settling.settle_spheres(folder_of(path), aspect, seed, spacing, deck, contacts,
-                                  fraction=fraction, total_time=time, number=number or None,
-                                  build=build)
-    n = 1 + math.ceil(2.0 * (aspect - 1.0) / spacing - 1e-9)
-    write_rows(path, [{"lambda": aspect, "method": "multisphere", "n": n,
-                       "rule": "nominal" if contacts == 1 else "adapted", "stiffness": 1.0,
-                       "time_step_over_limit": fraction, "divided_by": contacts,
-                       **settling.measure(bed, aspect, seed, build)}])
+    row = {"lambda": aspect, "method": "multisphere",
+           "n": 1 + math.ceil(2.0 * (aspect - 1.0) / spacing - 1e-9),
+           "rule": "nominal" if contacts == 1 else "adapted", "stiffness": 1.0,
+           "time_step_over_limit": fraction, "divided_by": contacts}
+    write_bed(path, row, aspect, seed, build, lambda folder: settling.settle_spheres(
+        folder, aspect, seed, spacing, deck, contacts, fraction=fraction, total_time=time,
+        number=number or None, build=build))
+
+
+def write_bed(path, row: dict, aspect, seed, build, settle) -> None:
+    """The row of a bed that `settle(folder)` makes. One that ends in an error of LIGGGHTS is a row
+    that says so: its settings are not to be used."""
+    try:
+        bed = settle(folder_of(path))
+    except DeckError as error:
+        ended = re.sub(r" \(\S+:\d+\)$", "", error.reason)   # file and line of the source
+        write_rows(path, [row | {"rested": 0, "ended": ended, **provenance(error.command, seed)}])
+        return
+    write_rows(path, [row | {"ended": "", **settling.measure(bed, aspect, seed, build)}])
     tidy(folder_of(path), bed.dump)
+
+
+def standing(runs: pandas.DataFrame) -> pandas.DataFrame:
+    """Beds that did not end in an error."""
+    return runs[runs["ended"].fillna("") == ""] if "ended" in runs else runs
 
 
 def reference_of(runs: pandas.DataFrame, aspect: float, reference: dict) -> pandas.DataFrame:
@@ -80,7 +98,7 @@ def compare(values: pandas.Series, limit: pandas.Series) -> tuple[float, float]:
 def charted(runs: pandas.DataFrame, reference: dict) -> pandas.DataFrame:
     """A row a case and quantity: error against the reference with its standard error, and the core
     seconds until rest. Beds that never rest cost what they ran."""
-    result = []
+    result, runs = [], standing(runs)
     for aspect in sorted(runs["lambda"].unique()):
         limit = reference_of(runs, aspect, reference)
         if limit.empty:
@@ -129,7 +147,7 @@ def groove(aspect: float, n: int) -> float:
 def bed_lines(runs: pandas.DataFrame) -> list[list[str]]:
     """A line a case: what its beds are like and cost."""
     lines = []
-    for (aspect, *_), part in runs.groupby([*CASE, "divided_by"], sort=False):
+    for (aspect, *_), part in standing(runs).groupby([*CASE, "divided_by"], sort=False):
         first = part.iloc[0]
         cells = [f"{aspect:g}", label(first), str(len(part))]
         for name, decimals in (("vf_inner", 3), ("vf_whole", 3), ("elevation_deg", 1),
@@ -176,7 +194,7 @@ def limit(groups, place) -> tuple[float, float, float]:
 def limits(runs: pandas.DataFrame, reference: dict) -> list[list[str]]:
     """The reference beside two limits: of stiff contacts, where rods no longer overlap, and of glued
     spheres where the grooves between them, which get as shallow as n is large, are gone."""
-    lines = []
+    lines, runs = [], standing(runs)
     for aspect in sorted(runs["lambda"].unique()):
         here = runs[runs["lambda"] == aspect]
         there = reference_of(runs, aspect, reference)
@@ -185,10 +203,10 @@ def limits(runs: pandas.DataFrame, reference: dict) -> list[list[str]]:
         small = reference["fraction"] * SMALL_STEP
         rods = here[(here["method"] == "rods") & (here["rule"] == reference["rule"])
                     & (here["time_step_over_limit"] <= small)]
-        spheres = here[(here["method"] == "multisphere") & (here["divided_by"] == 1)]
-        if not spheres.empty:
-            step = spheres["time_step_over_limit"].max()
-            spheres = spheres[spheres["time_step_over_limit"] == step]
+        # A crossing's contacts, as many as spheres are in a diameter, have its stiffness together.
+        crossing = (2.0 * (aspect - 1.0) / (here["n"] - 1.0)).rdiv(2.0).round(6)
+        spheres = here[(here["method"] == "multisphere") & (here["divided_by"] == crossing)
+                       & (here["time_step_over_limit"] == SPHERES_STEP)]
         stiff = limit(rods.groupby(["stiffness", "time_step_over_limit"]),
                       lambda part: part["overlap_mean"].mean())
         smooth = limit(spheres.groupby("n"), lambda part: groove(aspect, int(part["n"].iloc[0])))
@@ -204,10 +222,23 @@ def limits(runs: pandas.DataFrame, reference: dict) -> list[list[str]]:
     return lines
 
 
+def fallen_lines(runs: pandas.DataFrame) -> list[list[str]]:
+    """A line a case of which beds ended in an error: how many, and the first's reason."""
+    lines = []
+    for (aspect, *_), part in runs.groupby([*CASE, "divided_by"], sort=False):
+        fallen = part.drop(standing(part).index)
+        if len(fallen):
+            reason = re.sub(r"^ERROR( on proc \d+)?: ", "", fallen.iloc[0]["ended"])
+            lines.append([f"{aspect:g}", label(part.iloc[0]), f"{len(fallen)} of {len(part)}",
+                          reason.split(", so that")[0]])
+    return lines
+
+
 def page_values(runs: pandas.DataFrame, charted_rows: pandas.DataFrame, reference: dict,
                 results: str) -> dict:
+    fallen, runs = fallen_lines(runs), standing(runs)
     spheres = runs[runs["method"] == "multisphere"]
-    return {"beds": bed_lines(runs), "cheapest": cheapest(charted_rows),
+    return {"fallen": fallen, "beds": bed_lines(runs), "cheapest": cheapest(charted_rows),
             "limits": limits(runs, reference), "results": results,
             "machine": " and ".join(sorted(runs["machine"].unique())),
             "aspects": ", ".join(f"{a:g}" for a in sorted(runs["lambda"].unique())),

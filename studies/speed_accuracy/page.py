@@ -54,7 +54,7 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
     stiff = events.assign(over=events["stiffness"] / events["lambda"] / 2.0e4)
     nominal = stiff[stiff["rule"] == "nominal"]
     return {
-        "mode": mode, "results": results,
+        "mode": mode, "results": results, "beds": bool(rows["scene"].map(chart.is_bed).any()),
         "headings": headings, "lines": lines,
         "charts": [{"name": chart.name_of(scene, quantity), "title": chart.title_of(scene, quantity),
                     "quantity": chart.QUANTITIES.get(quantity, quantity)}

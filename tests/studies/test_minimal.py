@@ -96,6 +96,46 @@ def test_error_of_beds_against_the_reference():
     assert inner["error_low"] == 0
 
 
+# A straight line through the means hits the limit that the beds were made with.
+def test_limits_of_stiff_contacts_and_many_spheres():
+    reference = {"rule": "spread", "stiffness": 10, "fraction": 0.18}
+    table = []
+    for k, overlap in ((1.0, 6e-4), (10.0, 6e-5)):
+        for seed, scatter in enumerate((-0.01, 0.0, 0.01)):
+            table.append({"lambda": 10, "method": "rods", "n": 0, "rule": "spread", "stiffness": k,
+                          "time_step_over_limit": 0.18, "divided_by": 1, "overlap_mean": overlap,
+                          "seed": seed, "vf_inner": 0.44 + 20 * overlap + scatter})
+    for n, divided in ((10, 1), (19, 2), (19, 1)):   # the last is not at the stiffness of a crossing
+        for seed, scatter in enumerate((-0.02, 0.02)):
+            table.append({"lambda": 10, "method": "multisphere", "n": n, "rule": "nominal",
+                          "stiffness": 1.0, "time_step_over_limit": 0.36, "divided_by": divided,
+                          "overlap_mean": 0.1, "seed": seed, "vf_inner":
+                          0.45 + 0.1 * beds.groove(10, n) + scatter + (divided * n == 19)})
+    cells = beds.limits(pandas.DataFrame(table), reference)[0]
+    # Errors of the means 0.01/√3 and 0.02: of the limits by the arms of the line.
+    stiff = math.hypot(10 / 9, 1 / 9) * 0.01 / math.sqrt(3)
+    deep, shallow = beds.groove(10, 10), beds.groove(10, 19)
+    smooth = 0.02 * math.hypot(deep, shallow) / (deep - shallow)
+    assert cells[0] == "10" and cells[1] == f"0.441 ± {0.01 / math.sqrt(3):.3f}"
+    assert cells[2] == f"0.440 ± {stiff:.3f}" and cells[4] == f"0.450 ± {smooth:.3f}"
+
+
+# A bed that ends in an error of LIGGGHTS is a row, and a line of its own on the page.
+def test_a_bed_that_does_not_stand_is_a_row(tmp_path):
+    def settle(folder):
+        raise cases.DeckError("ERROR on proc 0: rods 1 and 2 overlap by 0.3, so that (a.cpp:80)",
+                              "lmp -in in.fill", "in a folder")
+
+    case = {"lambda": 10, "method": "rods", "n": 0, "rule": "spread", "stiffness": 0.1,
+            "time_step_over_limit": 0.22, "divided_by": 1}
+    beds.write_bed(tmp_path / "bed.csv", case, 10, 1000117, None, settle)
+    runs = read_rows(tmp_path / "bed.csv")
+    assert beds.standing(runs).empty
+    assert beds.fallen_lines(runs) == [
+        ["10", "rods, spread contact, stiffness × 0.1, step 0.22", "1 of 1",
+         "rods 1 and 2 overlap by 0.3"]]
+
+
 # --- Features. -----------------------------------------------------------------------------------
 
 def test_features_of_a_scene_as_commands():

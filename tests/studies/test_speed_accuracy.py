@@ -10,7 +10,7 @@ from scipy.optimize import minimize
 
 from conftest import ROOT
 from studies.common import pages, rows
-from studies.speed_accuracy import chart, codes, page, rods, scenes, sweep
+from studies.speed_accuracy import beds, chart, codes, page, rods, scenes, sweep
 
 STUDY = ROOT / "studies" / "speed_accuracy"
 
@@ -312,6 +312,17 @@ def test_kept_page(tmp_path):
     pages.render(STUDY / "README.md.j2", tmp_path / "README.md", page.values(
         charted, STUDY / "results/summary.csv", config, "full", "results/"))
     assert (tmp_path / "README.md").read_text() == (STUDY / "README.md").read_text()
+
+
+@pytest.mark.skipif(not (STUDY / "results" / "bed_runs.csv").exists(), reason="no kept beds")
+def test_kept_page_of_beds(tmp_path):
+    reference = yaml.safe_load((STUDY / "config.yaml").read_text())["bed_reference"]
+    runs = rows.read_rows(STUDY / "results" / "bed_runs.csv")
+    rows.write_rows(tmp_path / "beds.csv", beds.charted(runs, reference))
+    assert (tmp_path / "beds.csv").read_bytes() == (STUDY / "results/beds.csv").read_bytes()
+    pages.render(STUDY / "beds.md.j2", tmp_path / "beds.md", beds.page_values(
+        runs, rows.read_rows(tmp_path / "beds.csv"), reference, "results/"))
+    assert (tmp_path / "beds.md").read_text() == (STUDY / "beds.md").read_text()
 
 
 # --- The graph, in its smallest run. -------------------------------------------------------------
