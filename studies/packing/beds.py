@@ -31,17 +31,18 @@ def deck_variables(path: Path | str) -> dict[str, float]:
     return found
 
 
-def pour(folder: Path | str, aspect: str, limits: str, seed: int, variables: dict, build) -> dict:
+def pour(folder: Path | str, aspect: str, friction: str, limits: str, seed: int, variables: dict,
+         build) -> dict:
     """Fills and settles; the row of what was run and of what the logs tell."""
     cases.link_decks(folder, DECKS)
-    given = {"lambda": aspect, "seed": seed, **variables}
+    given = {"lambda": aspect, "seed": seed, **variables, "friction": friction}
     if limits == "none":
         given.update(limit_fill=0, limit_settle=0)
     fill = cases.run_deck(folder, "in.fill", given, build=build)
     settle = cases.run_deck(folder, "in.settle", given, build=build)
     case = deck_variables(Path(folder) / "in.case")
     return {
-        "lambda": aspect, "limits": limits, "seed": seed,
+        "lambda": aspect, "friction": friction, "limits": limits, "seed": seed,
         "rods": int(case["rods"]), "vessel_diameter_m": case["vessel_diameter"],
         "dt_s": case["dt"], **log_values(fill.log, settle.log),
         "cpu_s": round(fill.cpu_seconds + settle.cpu_seconds, 1),
@@ -66,7 +67,7 @@ def log_values(fill: Path, settle: Path) -> dict:
 def measure(dump: Path | str, run: dict, build) -> tuple[dict, object]:
     """The bed's row: `run` with the measures of its last frame; and its distribution of elevation."""
     values = cases.measure_bed(dump, run["vessel_diameter_m"] / 2, build)
-    key = {name: run[name] for name in ("lambda", "limits", "seed")}
+    key = {name: run[name] for name in ("lambda", "friction", "limits", "seed")}
     row = {**key, **{ours: values[theirs] for theirs, ours in MEASURES.items()},
            **{name: value for name, value in run.items() if name not in key},
            "measured_by": rows.sum_of(*MEASURED_BY)}

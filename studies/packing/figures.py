@@ -27,6 +27,26 @@ def limits_of(means: pandas.DataFrame) -> list[str]:
     return [limits for limits in LIMITS if limits in set(means["limits"])]
 
 
+def kinds_of(means: pandas.DataFrame) -> list[tuple[float, str]]:
+    """Friction and limits of the kinds of beds there are, the study's friction first."""
+    there = set(zip(means["friction"], means["limits"]))
+    return sorted(there, key=lambda kind: (kind[0] != measures.STUDY_FRICTION, kind[0],
+                                           list(LIMITS).index(kind[1])))
+
+
+def kind_name(friction: float, limits: str) -> str:
+    return f"{LIMITS[limits]}, friction {friction:g}"
+
+
+def picture(friction, limits: str, cut: str = "") -> str:
+    """The file of a bed's picture."""
+    return f"figure2_friction{float(friction):g}_{limits}{cut}.png"
+
+
+def of_kind(means: pandas.DataFrame, friction: float, limits: str) -> pandas.DataFrame:
+    return means[(means["friction"] == friction) & (means["limits"] == limits)]
+
+
 def spread(heights: list[float], apart: float) -> list[float]:
     """The heights moved up until they are `apart`, in their order from below."""
     placed: dict[int, float] = {}
@@ -73,16 +93,17 @@ def packing_figure(means: pandas.DataFrame, literature: pandas.DataFrame):
         axes.text(1.012 * largest, height, name, color=plots.for_letters(colour), va="center",
                   fontsize=8)
 
-    for limits in limits_of(means):
-        kind = means[means["limits"] == limits]
+    for friction, limits in kinds_of(means):
+        kind = of_kind(means, friction, limits)
         colour, marker = STYLE_OF_LIMITS[limits]
+        filled = {} if friction == measures.STUDY_FRICTION else {"markerfacecolor": "white"}
         axes.plot(*expected_curve(kind), color=colour, linestyle=plots.DASHES[2], linewidth=1.1,
                   zorder=1)
         axes.plot(kind["lambda"], kind["vf_expected"], linestyle="none", marker="_", markersize=13,
                   markeredgewidth=2, color=colour, zorder=2)
         axes.errorbar(kind["lambda"], kind["vf_inner"], plots.errors(kind["vf_inner_error"]), linestyle="none",
-                      marker=marker, color=colour, zorder=3,
-                      label=f"{LIMITS[limits]}, {beds_in_words(kind['beds'])}"
+                      marker=marker, color=colour, zorder=3, **filled,
+                      label=f"{kind_name(friction, limits)}, {beds_in_words(kind['beds'])}"
                             f"{' each' if len(kind) > 1 else ''}")
     expected, = axes.plot([], [], linestyle=plots.DASHES[2], marker="_", markersize=11, markeredgewidth=2,
                           color=C["black"], linewidth=1.1)
@@ -107,13 +128,17 @@ def packing_figure(means: pandas.DataFrame, literature: pandas.DataFrame):
 
 
 def elevation_figure(means: pandas.DataFrame):
-    """Rods per solid angle over that of isotropic rods; a panel for each kind of limits."""
-    panels = limits_of(means)
+    """Rods per solid angle over that of isotropic rods; a panel for each friction and limits, a line of
+    them for each friction."""
+    kinds = kinds_of(means)
+    frictions = list(dict.fromkeys(friction for friction, _ in kinds))
+    columns = len(limits_of(means))
     aspects = sorted(means["lambda"].unique())
-    figure, all_axes = plots.new_figure(165 if len(panels) > 1 else 100, 95, 1, len(panels),
-                                        sharey=True, squeeze=False)
-    for axes, limits in zip(all_axes[0], panels):
-        panel = means[means["limits"] == limits]
+    figure, all_axes = plots.new_figure(165 if columns > 1 else 100, 95 * len(frictions),
+                                        len(frictions), columns, sharey=True, squeeze=False)
+    for friction, limits in kinds:
+        axes = all_axes[frictions.index(friction)][limits_of(means).index(limits)]
+        panel = of_kind(means, friction, limits)
         widest = panel.loc[panel["isotropic_scatter"].idxmax()]
         scatter = widest["isotropic_scatter"]
         axes.axhspan(1 - scatter, 1 + scatter, color=C["grey"], alpha=0.25, linewidth=0, zorder=0)
@@ -130,9 +155,10 @@ def elevation_figure(means: pandas.DataFrame):
                           label=f"λ = {aspect:g}, {beds_in_words(kind['beds'])}")
         ticks = [0, 10, 20, 30, 40, 50, 60, 90]
         axes.set_xticks(numpy.sin(numpy.radians(ticks)), [f"{t}°" for t in ticks])
-        axes.set(xlim=(0, 1), title=LIMITS.get(limits, limits),
+        axes.set(xlim=(0, 1), title=kind_name(friction, limits),
                  xlabel="elevation (equal lengths: equal solid angle)")
         axes.legend(loc="upper right")
     tops = (means["density"] + means["error"].fillna(0)).max()
-    all_axes[0][0].set(ylim=(0, 1.05 * max(tops, 1.5)), ylabel="rods per solid angle / isotropic")
+    for line in all_axes:
+        line[0].set(ylim=(0, 1.05 * max(tops, 1.5)), ylabel="rods per solid angle / isotropic")
     return figure

@@ -8,9 +8,11 @@ from pathlib import Path
 import numpy
 import pandas
 
-from studies.common import rows, statistics
+from studies.common import rows, settling, statistics
 
-SAME_BED = ["lambda", "limits", "seed"]
+KIND = ["lambda", "friction", "limits"]
+SAME_BED = [*KIND, "seed"]
+STUDY_FRICTION = 0.2
 FROM_0_TO_1 = ("vf_whole", "vf_inner", "mean_sin_gamma")
 
 # <|sin gamma|> over pairs of axes, gamma the angle between them: isotropic, and at random in a plane.
@@ -25,6 +27,15 @@ RANDOM_CONTACTS_FROM = 5.0
 # ∫ of the elevation over the sphere: π/2 - 1 rad; S = <P2> of the vertical for horizontal axes.
 ISOTROPIC_ELEVATION_DEG = (pi / 2 - 1) * 180 / pi
 HORIZONTAL_ORDER = -0.5
+
+# What the study's words are taken to mean here. V_f "slightly lower than the theory": by at most SLIGHTLY,
+# and not above it; its two measures of V_f "close": the whole vessel's at most CLOSE below the inner one's;
+# "most" rods "near horizontal": more than MOST of them lower than the elevation below which a third of
+# isotropic rods are; "stable": the kinetic energy left is that of a bed at rest by the decks' own measure.
+SLIGHTLY = 0.1
+CLOSE = 0.1
+MOST = 0.5
+NEAR_HORIZONTAL_DEG = numpy.degrees(numpy.arcsin(1 / 3))
 
 
 def parkhouse_kelly(aspect):
@@ -55,8 +66,7 @@ def expected(aspect, sin_gamma) -> float:
 
 def read_beds(path: Path | str) -> pandas.DataFrame:
     """beds.csv, or a sentence on what cannot be right in it."""
-    beds = rows.read_rows(path).sort_values(["lambda", "limits", "seed"], kind="stable",
-                                            ignore_index=True)
+    beds = rows.read_rows(path).sort_values(SAME_BED, kind="stable", ignore_index=True)
     twice = beds[beds.duplicated(SAME_BED)]
     if len(twice):
         raise ValueError(f"{path}: two rows for one bed: {dict(twice.iloc[0][SAME_BED])}")
@@ -67,12 +77,23 @@ def read_beds(path: Path | str) -> pandas.DataFrame:
     return beds
 
 
+def collect(paths, former: str | None, out: Path | str) -> None:
+    """The rows of many files in one, after those of the file `former`, if given, of other kinds."""
+    table = pandas.concat([rows.read_rows(path) for path in paths], ignore_index=True)
+    if former:
+        kept = rows.read_rows(former)
+        made = set(zip(*(table[name] for name in KIND)))
+        others = [kind not in made for kind in zip(*(kept[name] for name in KIND))]
+        table = pandas.concat([kept[others], table], ignore_index=True)
+    rows.write_rows(out, table.sort_values(SAME_BED, kind="stable", ignore_index=True))
+
+
 def packing_means(beds: pandas.DataFrame) -> pandas.DataFrame:
-    """A row for each λ and limits: `beds`, their number, and for each measure its mean and, as
+    """A row for each λ, friction and limits: `beds`, their number, and for each measure its mean and, as
     NAME_error, the standard error; largest overlap and energy as the largest of all beds."""
     result = []
-    for (aspect, limits), kind in beds.groupby(["lambda", "limits"]):
-        row = {"lambda": aspect, "limits": limits, "beds": len(kind), "rods": int(kind["rods"].sum())}
+    for (aspect, friction, limits), kind in beds.groupby(KIND):
+        row = {"lambda": aspect, "friction": friction, "limits": limits, "beds": len(kind), "rods": int(kind["rods"].sum())}
         for name in ("vf_inner", "vf_whole", "vf_random_contacts", "mean_elevation_deg",
                      "mean_sin_gamma", "nematic_order", "contacts_per_rod",
                      "mean_overlap_over_diameter"):
@@ -87,27 +108,46 @@ def packing_means(beds: pandas.DataFrame) -> pandas.DataFrame:
 
 
 def elevation_means(elevation: pandas.DataFrame) -> pandas.DataFrame:
-    """A row for each λ, limits and bin: mean density, its error over the beds (of a single bed that of
+    """A row for each λ, friction, limits and bin: mean density, its error over the beds (of a single bed that of
     its counts), scatter of the density of as many isotropic rods, and their number. Raises ValueError
     unless all beds of a kind have the same bins, each once."""
     result = []
-    for (aspect, limits), kind in elevation.groupby(["lambda", "limits"]):
+    for (aspect, friction, limits), kind in elevation.groupby(KIND):
         beds = kind["seed"].nunique()
         for (low, high), of_bin in kind.groupby(["elevation_low_deg", "elevation_high_deg"]):
             if len(of_bin) != beds or of_bin["seed"].nunique() != beds:
-                raise ValueError(f"lambda {aspect}, limits {limits}: the bin from {low:.4g} to "
+                raise ValueError(f"lambda {aspect}, friction {friction:g}, limits {limits}: the bin from {low:.4g} to "
                                  f"{high:.4g} degrees has {len(of_bin)} rows for {beds} beds")
             density, error = statistics.mean_and_error(of_bin["density"])
             one = of_bin.iloc[0]
             scatter = one["isotropic_scatter"] / one["isotropic_fraction"]
             part = one["isotropic_fraction"]
             result.append({
-                "lambda": aspect, "limits": limits, "beds": beds, "low_deg": low, "high_deg": high,
+                "lambda": aspect, "friction": friction, "limits": limits, "beds": beds, "low_deg": low, "high_deg": high,
                 "density": density, "error": one["density_error"] if isnan(error) else error,
                 "isotropic_scatter": scatter / sqrt(beds),
                 # A part q of n isotropic rods scatters by sqrt(q (1 - q)/n), in units of q by s.
                 "isotropic_rods": beds * (1 - part) / (part * scatter * scatter)})
     return pandas.DataFrame(result)
+
+
+def verdicts(beds: pandas.DataFrame, means: pandas.DataFrame,
+             elevation: pandas.DataFrame) -> pandas.DataFrame:
+    """A row for each λ, friction and limits: what the study states, in numbers, and whether it holds.
+    `below`: of theory, part of it; `apart`: inner and whole V_f, part of the first; `level`: part of the
+    rods near the horizontal; `moving`: kinetic energy of a rod over m g D, the most of any bed."""
+    low = elevation[elevation["elevation_high_deg"] < NEAR_HORIZONTAL_DEG + 1e-3]
+    level = low.groupby(SAME_BED)["fraction"].sum().groupby(KIND).mean()
+    table = means[KIND].copy()
+    table["below"] = 1 - means["vf_inner"] / means["vf_theory"]
+    table["apart"] = 1 - means["vf_whole"] / means["vf_inner"]
+    table["level"] = [level[tuple(kind)] for kind in table[KIND].itertuples(index=False)]
+    weight = [settling.GRAVITY * settling.DIAMETER * settling.mass_of(a) for a in beds["lambda"]]
+    moving = (beds["energy_J"] / beds["rods"] / weight).groupby([beds[name] for name in KIND]).max()
+    table["moving"] = [moving[tuple(kind)] for kind in table[KIND].itertuples(index=False)]
+    return table.assign(
+        stable=table["moving"] <= settling.REST_ENERGY, flat=table["level"] > MOST,
+        close=table["apart"].abs() <= CLOSE, slightly=table["below"].between(0, SLIGHTLY))
 
 
 def read_literature(path: Path | str) -> pandas.DataFrame:

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pandas
 
-from studies.common import pages, rows
+from studies.common import pages, rows, settling
 from studies.packing import beds as drawing
 from studies.packing import figures, measures
 
 # Not told as settings: they differ from bed to bed or say nothing of them.
-OF_A_BED = ("lambda", "seed", "vessel_diameter", "rods")
+OF_A_BED = ("lambda", "seed", "vessel_diameter", "rods", "friction", "layers", "drop", "types")
 
 
 def settings(variables: dict, config: dict, shown_seed: str) -> pandas.DataFrame:
@@ -27,7 +27,7 @@ def settings(variables: dict, config: dict, shown_seed: str) -> pandas.DataFrame
 
 
 def words(items, last: str = " and ") -> str:
-    items = [str(item) for item in items]
+    items = [str(item) for item in items] or [""]
     return last.join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else items[0]
 
 
@@ -37,13 +37,57 @@ def percent(parts) -> str:
 
 
 def of_limits(means: pandas.DataFrame, limits: str) -> pandas.DataFrame:
-    return means[means["limits"] == limits].set_index("lambda").sort_index()
+    """Of the study's friction."""
+    return figures.of_kind(means, measures.STUDY_FRICTION, limits).set_index("lambda").sort_index()
+
+
+# What the study states, and the column of measures.verdicts that tells whether it holds.
+STATEMENTS = {"stable": "beds come to rest", "flat": "most rods are near horizontal",
+              "close": "the two measures of V_f are close",
+              "slightly": "V_f is slightly below 2 ln λ/λ"}
+
+
+def where(part: pandas.DataFrame, column: str) -> str:
+    """yes, no, or at which λ."""
+    held = part[part[column]]["lambda"]
+    if len(held) in (0, len(part)):
+        return "yes" if len(held) else "no"
+    return f"at λ = {words(f'{a:g}' for a in held)}"
+
+
+def above_and_below(parts) -> str:
+    """16 and 32 % below, or with the sign of each where it is above."""
+    return words(f"{-100 * part:+.0f}".replace("-", "−") for part in parts) + " %"
+
+
+def verdict(table: pandas.DataFrame) -> dict:
+    """Rows of the table of statements; and, of settings in words: under which all of them hold at all λ;
+    of the study's own the statements that hold and those that do not; those nearest to its V_f."""
+    lines, everything, own, away = [], [], {}, {}
+    for friction, limits in figures.kinds_of(table):
+        part = figures.of_kind(table, friction, limits).sort_values("lambda")
+        name = figures.kind_name(friction, limits)
+        lines.append([name, where(part, "stable"),
+                      f"{where(part, 'flat')} ({percent(part['level'])})",
+                      f"{where(part, 'close')} ({above_and_below(part['apart'])})",
+                      f"{where(part, 'slightly')} ({above_and_below(part['below'])})"])
+        if part[list(STATEMENTS)].to_numpy().all():
+            everything.append(name)
+        if (friction, limits) == (measures.STUDY_FRICTION, "study"):
+            own = {column: bool(part[column].all()) for column in STATEMENTS}
+        away[name] = (part["below"].abs().max(), above_and_below(part["below"]))
+    nearest = min(away, key=lambda name: away[name][0])
+    return {"lines": lines, "all_hold": words(everything),
+            "holds": words(STATEMENTS[column] for column, held in own.items() if held),
+            "fails": words(STATEMENTS[column] for column, held in own.items() if not held),
+            "nearest": nearest, "nearest_away": away[nearest][1],
+            "near": away[nearest][0] <= measures.SLIGHTLY, "only_one": len(lines) == 1}
 
 
 def findings(beds: pandas.DataFrame, means: pandas.DataFrame) -> dict:
     """What the beds with the study's limits and with none tell beside each other."""
     study, none = of_limits(means, "study"), of_limits(means, "none")
-    without = beds[beds["limits"] == "none"]
+    without = beds[(beds["limits"] == "none") & (beds["friction"] == measures.STUDY_FRICTION)]
     return {
         "without": len(without),
         "least_energy": without["energy_J"].min(), "most_energy": without["energy_J"].max(),
@@ -66,7 +110,7 @@ def rows_of_means(means: pandas.DataFrame, full: bool) -> list[list[str]]:
     """Texts of the table of means: of the README, or with all columns of the HTML page."""
     def pair(row, name, decimals):
         return pages.with_error((row[name], row[f"{name}_error"]), decimals)
-    return [[f"{row['lambda']:g}", row["limits"], *([row["beds"]] if full else []),
+    return [[f"{row['lambda']:g}", f"{row['friction']:g}", row["limits"], *([row["beds"]] if full else []),
              pair(row, "vf_inner", 4), pair(row, "vf_whole", 4), pages.fixed(row["vf_theory"], 4),
              pair(row, "vf_random_contacts", 4) if full
              else pages.fixed(row["vf_random_contacts"], 3),
@@ -78,7 +122,7 @@ def rows_of_means(means: pandas.DataFrame, full: bool) -> list[list[str]]:
 
 
 def rows_of_beds(beds: pandas.DataFrame) -> list[list[str]]:
-    return [[f"{row['lambda']:g}", row["limits"], row["seed"],
+    return [[f"{row['lambda']:g}", f"{row['friction']:g}", row["limits"], row["seed"],
              *(pages.fixed(row[name], decimals) for name, decimals in (
                  ("vf_inner", 4), ("vf_whole", 4), ("vf_random_contacts", 4),
                  ("mean_elevation_deg", 2), ("mean_sin_gamma", 4), ("contacts_per_rod", 2),
@@ -91,17 +135,20 @@ def rows_of_beds(beds: pandas.DataFrame) -> list[list[str]]:
 def values(results: Path, literature: Path | str, mode: str) -> dict:
     beds = measures.read_beds(results / "beds.csv")
     means = measures.packing_means(beds)
-    elevation = measures.elevation_means(rows.read_rows(results / "elevation.csv"))
+    distributions = rows.read_rows(results / "elevation.csv")
+    elevation = measures.elevation_means(distributions)
     published = measures.read_literature(literature)
     table = rows.read_rows(results / "settings.csv")
     setting = dict(zip(table["variable"], table["value"].astype(str)))
     _, left_out = figures.packing_figure(means, published)
     limits_there = figures.limits_of(means)
-    means["order"] = means["limits"].map(limits_there.index)
+    kinds = figures.kinds_of(means)
+    means["order"] = [kinds.index(kind) for kind in zip(means["friction"], means["limits"])]
     means = means.sort_values(["lambda", "order"], ignore_index=True)
+    own = figures.of_kind(beds, kinds[0][0], limits_there[-1])
     one_of_each = beds.drop_duplicates("lambda")
-    shown = beds[(beds["lambda"] == beds["lambda"].max()) & (beds["limits"] == limits_there[-1]) &
-                 (beds["seed"].astype(str) == setting["shown_seed"])].iloc[0]
+    shown = own[(own["lambda"] == own["lambda"].max()) &
+                (own["seed"].astype(str) == setting["shown_seed"])].iloc[0]
     fewest = means["beds"].min()
     snapshots = [float(t) for t in setting["snapshots"].split()]
     top, of_bed, scale = (float(setting[name]) for name in
@@ -109,14 +156,19 @@ def values(results: Path, literature: Path | str, mode: str) -> dict:
 
     def options(style):
         return " ".join(map(str, style + drawing.render_options(shown)))
-    both = len(limits_there) == 2
+    both = {(measures.STUDY_FRICTION, limits) for limits in figures.LIMITS} <= set(kinds)
     return {
         "title": "Packing of sphero-cylinders of aspect ratio " +
                  words(f"{a:g}" for a in one_of_each["lambda"]),
         "mode": mode, "folder": results, "setting": setting,
         "beds": beds.to_dict("records"), "means": means.to_dict("records"),
-        "limits": limits_there, "name_of": figures.LIMITS,
-        "limit_names": [figures.LIMITS[limits] for limits in limits_there],
+        "kinds": [{"name": figures.kind_name(*kind), "picture": figures.picture(*kind),
+                   "cut": figures.picture(*kind, "_cut")} for kind in kinds],
+        "frictions": words(f"{f:g}" for f in dict.fromkeys(f for f, _ in kinds)),
+        "study_friction": measures.STUDY_FRICTION,
+        "verdict": verdict(measures.verdicts(beds, means, distributions)),
+        "slightly": 100 * measures.SLIGHTLY, "close": 100 * measures.CLOSE,
+        "near_horizontal": measures.NEAR_HORIZONTAL_DEG, "rest_energy": settling.REST_ENERGY,
         "aspects": words(f"{a:g}" for a in one_of_each["lambda"]),
         "rods": words(one_of_each["rods"]),
         "vessels": words(f"{d:g}" for d in one_of_each["vessel_diameter_m"]),

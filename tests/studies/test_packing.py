@@ -10,14 +10,14 @@ import pandas
 import pytest
 
 from conftest import ROOT
-from studies.common import plots, rows
-from studies.packing import beds, figures, measures
+from studies.common import plots, rows, settling
+from studies.packing import beds, figures, measures, page
 
 STUDY = ROOT / "studies" / "packing"
 
 
-def bed(aspect=10, limits="none", seed=1, **values):
-    row = {"lambda": aspect, "limits": limits, "seed": seed, "rods": 500, "vf_inner": 0.4,
+def bed(aspect=10, limits="none", seed=1, friction=0.2, **values):
+    row = {"lambda": aspect, "friction": friction, "limits": limits, "seed": seed, "rods": 500, "vf_inner": 0.4,
            "vf_whole": 0.35, "vf_theory": measures.parkhouse_kelly(aspect),
            "vf_random_contacts": 0.45, "mean_elevation_deg": 13.0, "mean_sin_gamma": 0.7,
            "nematic_order": -0.3, "contacts_per_rod": 6.0, "mean_overlap_over_diameter": 1e-3,
@@ -72,7 +72,7 @@ def test_tables_that_cannot_be_right_are_refused(tmp_path):
 def bins(*given):
     """Rows seed, low, high, density, with the error 0.1 of their counts, of 100 isotropic rods."""
     return pandas.DataFrame([{
-        "lambda": 10, "limits": "none", "seed": seed, "elevation_low_deg": low,
+        "lambda": 10, "friction": 0.2, "limits": "none", "seed": seed, "elevation_low_deg": low,
         "elevation_high_deg": high, "density": density, "density_error": 0.1,
         "isotropic_fraction": 0.5, "isotropic_scatter": 0.05} for seed, low, high, density in given])
 
@@ -116,13 +116,14 @@ def test_what_figure_3_shows():
     figure, left_out = figures.packing_figure(table, published(
         [6.8, 0.58, 0.01, "experiment", "fibres", ""], [100, 0.04, nan, "simulation", "far", ""]))
     axes = figure.axes[0]
-    x, y, half = drawn(axes, "no limit on ω, 2 beds each")
+    x, y, half = drawn(axes, "no limit on ω, friction 0.2, 2 beds each")
     assert x == [10, 20] and y == pytest.approx([0.42, 0.21]) and half == pytest.approx([0.02, 0.01])
-    assert drawn(axes, "limits of the study on ω, one bed") == ([20], [0.25], None)
+    assert drawn(axes, "limits of the study on ω, friction 0.2, one bed") == ([20], [0.25], None)
     assert drawn(axes, "fibres")[:2] == ([6.8], [0.58])
     assert left_out == ["far at λ = 100, V_f = 0.04 is beyond the axes"]
     texts = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert texts == ["limits of the study on ω, one bed", "no limit on ω, 2 beds each",
+    assert texts == ["limits of the study on ω, friction 0.2, one bed",
+                     "no limit on ω, friction 0.2, 2 beds each",
                      "random contacts at these beds' orientation", "fibres"]
 
 
@@ -134,6 +135,53 @@ def test_curves_of_figure_3():
     x, y = figures.expected_curve(means(bed(10, mean_sin_gamma=0.6), bed(30, mean_sin_gamma=0.7)))
     assert numpy.interp(20, x, y) == pytest.approx(measures.random_contacts(20, 0.65), abs=2e-4)
     assert len(figures.expected_curve(means(bed(10)))[0]) == 0
+
+
+def rods_of(level, **kind):
+    """A bed's distribution of elevation: that part of its rods below the third of the sphere."""
+    return pandas.DataFrame([{**kind, "elevation_low_deg": low, "elevation_high_deg": high, "fraction": part}
+                             for low, high, part in ((0, 19.4712206, level), (19.4712206, 90, 1 - level))])
+
+
+# V_f = (1 - below) 2 ln λ/λ; the whole vessel's is (1 - apart) of it; energy over rods m g D.
+def test_what_the_study_states_is_judged_by_its_numbers():
+    def judged(below, apart, level, moving, friction=0.2):
+        beds, levels = [], []
+        for aspect, part in zip((10, 20, 30), below):
+            inner = (1 - part) * measures.parkhouse_kelly(aspect)
+            weight = 9.81 * 0.01 * settling.mass_of(aspect)
+            beds.append(bed(aspect, "study", friction=friction, vf_inner=inner, rods=500,
+                            vf_whole=(1 - apart) * inner, energy_J=500 * moving * weight))
+            levels.append(rods_of(level, **{"lambda": aspect, "friction": friction, "limits": "study",
+                                            "seed": 1}))
+        return pandas.DataFrame(beds), pandas.concat(levels)
+
+    def verdict(*settings):
+        beds, levels = (pandas.concat(parts) for parts in zip(*settings))
+        return page.verdict(measures.verdicts(beds, measures.packing_means(beds), levels))
+    good = verdict(judged((0.02, 0.05, 0.09), 0.05, 0.6, 1e-6))
+    assert good["all_hold"] == "limits of the study on ω, friction 0.2" and not good["fails"]
+    assert good["lines"][0][1:] == ["yes", "yes (60, 60 and 60 %)", "yes (−5, −5 and −5 %)",
+                                    "yes (−2, −5 and −9 %)"]
+    bad = verdict(judged((0.02, 0.32, 0.47), 0.2, 0.4, 1e-4))
+    assert bad["lines"][0][1:] == ["no", "no (40, 40 and 40 %)", "no (−20, −20 and −20 %)",
+                                   "at λ = 10 (−2, −32 and −47 %)"]
+    assert not bad["all_hold"] and not bad["holds"] and not bad["near"]
+    both = verdict(judged((0.16, 0.32, 0.47), 0.2, 0.6, 1e-6),
+                   judged((-0.02, 0.01, 0.05), 0.05, 0.6, 1e-6, friction=0.0))
+    assert both["holds"] == "beds come to rest and most rods are near horizontal"
+    assert both["nearest"] == "limits of the study on ω, friction 0" and both["near"]
+    assert both["nearest_away"] == "+2, −1 and −5 %" and not both["all_hold"]  # above at λ = 10
+
+
+def test_kept_rows_of_other_kinds_stay(tmp_path):
+    rows.write_rows(tmp_path / "former.csv", [bed(vf_inner=0.1), bed(seed=2, vf_inner=0.1)])
+    rows.write_rows(tmp_path / "new.csv", [bed(friction=0.0, vf_inner=0.3)])
+    measures.collect([tmp_path / "new.csv"], tmp_path / "former.csv", tmp_path / "all.csv")
+    assert list(rows.read_rows(tmp_path / "all.csv")["vf_inner"]) == [0.3, 0.1, 0.1]
+    rows.write_rows(tmp_path / "new.csv", [bed(seed=3, vf_inner=0.3)])   # of a kind that is made anew
+    measures.collect([tmp_path / "new.csv"], tmp_path / "former.csv", tmp_path / "all.csv")
+    assert list(rows.read_rows(tmp_path / "all.csv")["seed"]) == [3]
 
 
 # Bins equal in solid angle are equally wide: sin 30 degrees = 1/2, so that the middles of the bins
@@ -208,7 +256,9 @@ def test_the_smallest_run(study, tmp_path, programs):
     assert done.returncode == 0, done.stdout
     results = tmp_path / "results"
     table = measures.read_beds(results / "beds.csv")
-    assert list(table["lambda"]) == [10, 10, 20, 20] and set(table["limits"]) == {"none", "study"}
+    assert list(table["lambda"]) == [10] * 4 + [20] * 4
+    assert list(table["friction"]) == [0, 0, 0.2, 0.2] * 2
+    assert set(table["limits"]) == {"none", "study"}
     assert (table["time_s"] == 1.4).all() and (table["rods"] == 60).all()
     for column in rows.PROVENANCE:
         assert table[column].notna().all()
@@ -220,7 +270,7 @@ def test_the_smallest_run(study, tmp_path, programs):
 
     html = (results / "report.html").read_text()
     assert len(html) < 2_000_000
-    assert html.count("<img") == 5 + 4 + 2
+    assert html.count("<img") == 5 + 8 + 2
     assert not re.search(r"(src|href)=\"(?!data:)", html)
     assert "This is the smoke version" in html
     first = table.iloc[0]
@@ -229,12 +279,12 @@ def test_the_smallest_run(study, tmp_path, programs):
 
     # Nothing to do again; a bed whose measures are lost is measured from its dump.
     assert "Nothing to be done" in study("packing", "smoke=1").stdout
-    (tmp_path / f"lambda10_limits_none_seed{first['seed']}/bed.csv").unlink()
+    (tmp_path / f"lambda10_friction0_limits_none_seed{first['seed']}/bed.csv").unlink()
     (results / "beds.csv").unlink()
     again = study("packing", "smoke=1")
     assert again.returncode == 0, again.stdout
     assert "rule measure" in again.stdout and "rule pour" not in again.stdout
-    assert len(measures.read_beds(results / "beds.csv")) == 4
+    assert len(measures.read_beds(results / "beds.csv")) == 8
 
     # The commands of the page, as they can be pasted from the project's folder.
     pasted = tmp_path / "pasted"
@@ -249,17 +299,20 @@ def test_the_smallest_run(study, tmp_path, programs):
     assert shell.returncode == 0, shell.stdout[-2000:] + shell.stderr
     assert (pasted / "build/one_bed/figure1_5.png").exists()
     by_hand = rows.read_rows(pasted / "build/one_bed/packing.csv").iloc[-1]
-    shown = table[(table["lambda"] == 20) & (table["limits"] == "none")].iloc[0]
+    shown = table[(table["lambda"] == 20) & (table["limits"] == "none") &
+                  (table["friction"] == 0.2)].iloc[0]
     assert by_hand["vf_inner"] == pytest.approx(shown["vf_inner"], rel=1e-9)
 
 
 @pytest.mark.parametrize("setting, words", [
     ("seeds=0", "packing: seeds must be a number from 1 to 10 (got 0)"),
+    ("friction=-1", "packing: friction must be a number >= 0 (got -1"),
+    ("add=1", "beds.csv is not there: without add=1 it is made anew"),
     ("seeds=many", "packing: seeds must be a number from 1 to 10 (got many)"),
     ("lambdas=[10,inf]", "packing: lambdas must be a number >= 1 (got inf)"),
     ("lambdas=[15]", "packing: lambda 15 is not in Table 1 of the study"),
     ("limits=[some]", "packing: limits must be among study, none (got some)"),
-    ("sedes=2", "packing: sedes is not in its config.yaml (expected one of build, "),
+    ("sedes=2", "packing: sedes is not in its config.yaml (expected one of add, "),
     ("quick=maybe", "packing: quick must be 0 or 1 (got 'maybe')"),
     ("build=/nowhere", "lmp is not there: scripts/build makes it")])
 def test_wrong_settings_are_refused(study, setting, words):
