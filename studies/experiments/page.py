@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the page and the figures are made of: means over the cases of each experiment's table."""
+from __future__ import annotations
+
+from math import isfinite, nan, sqrt
+from pathlib import Path
+
+import numpy
+import pandas
+
+from studies.common import pages, rows, statistics
+from studies.experiments import measures
+
+FEW_CONTACTS, MANY_CONTACTS = 4, 10   # a rod in the bulk, by counting: with friction, without
+MEASURED_CONTACTS = 9.8               # of literature.csv, for gap_for
+BREAKS = (1.0, 1.5, 2.0)              # of the law of the run-out, height over radius
+BINS = numpy.arange(0, 2.01, 0.2)     # of the heights for a figure
+
+
+def means(table: pandas.DataFrame, keys: list[str], names: list[str]) -> pandas.DataFrame:
+    """A row for each case of `keys`: `cases`, their number, each name's mean and NAME_error."""
+    result = []
+    for _, group in table.groupby(keys, sort=True):
+        row = group.iloc[0][keys].to_dict() | {"cases": len(group)}
+        for name in names:
+            row[name], row[f"{name}_error"] = statistics.mean_and_error(group[name].dropna())
+        result.append(row)
+    return pandas.DataFrame(result)
+
+
+# --- Contacts. -----------------------------------------------------------------------------------
+
+def gaps_of(table: pandas.DataFrame) -> list[float]:
+    return sorted(float(name[len("nearer_"):]) for name in table if name.startswith("nearer_"))
+
+
+def gap_for(row, gaps, wanted: float) -> float:
+    """Gap, in diameters, below which `wanted` others lie a rod: straight between the logarithms; NaN
+    outside."""
+    counts = [row[f"nearer_{gap:g}"] for gap in gaps]
+    if not counts or not counts[0] <= wanted <= counts[-1]:
+        return nan
+    return float(numpy.exp(numpy.interp(wanted, counts, numpy.log(gaps))))
+
+
+def contacts(table: pandas.DataFrame) -> pandas.DataFrame:
+    table = table.copy()
+    gaps = gaps_of(table)
+    table["implied"] = 2 * table["implied_half_contacts"]
+    table["gap"] = [gap_for(row, gaps, MEASURED_CONTACTS) for row in table.to_dict("records")]
+    for name in ("contacts_inside", "of_bearing", "sliding", "forces", "equations", "places"):
+        if name not in table:
+            table[name] = nan
+    return means(table, ["method", "limits", "friction", "lambda"],
+                 ["contacts", "contacts_inside", "implied", "of_bearing", "sliding", "forces", "equations",
+                  "vf_inner", "gap", "places", *[f"nearer_{gap:g}" for gap in gaps]])
+
+
+def contacts_rows(table: pandas.DataFrame) -> list[list[str]]:
+    def pair(row, name, digits):
+        return pages.with_error((row[name], row[f"{name}_error"]), digits)
+    return [[row["method"], row["limits"], f"{row['friction']:g}", f"{row['lambda']:g}", row["cases"],
+             pair(row, "vf_inner", 3), pair(row, "contacts", 2),
+             pair(row, "contacts_inside", 2), pair(row, "implied", 2), pages.fixed(row["gap"], 3),
+             pair(row, "of_bearing", 2), pages.fixed(row["forces"], 2), pages.fixed(row["equations"], 2), pages.fixed(100 * row["sliding"], 0)]
+            for row in contacts(table).to_dict("records")]
+
+
+# --- Wall. ---------------------------------------------------------------------------------------
+
+def wall_profile(table: pandas.DataFrame, aspect: float, kind: str) -> pandas.DataFrame:
+    chosen = table[(table["lambda"] == aspect) & (table["kind"] == kind)].copy()
+    chosen["distance"] = chosen["distance"].round(6)
+    return means(chosen, ["lambda", "distance"], ["value"])
+
+
+def layers(table: pandas.DataFrame) -> list[dict]:
+    """Of each bed where V_f first reaches 95 % of the core's, which begins a length off the wall."""
+    found = []
+    for (aspect, seed), bed in table[table["kind"] == "vf"].groupby(["lambda", "seed"]):
+        bed = bed.sort_values("distance")
+        layer, core = measures.layer(bed["distance"], bed["value"], 1.0)
+        found.append({"lambda": aspect, "seed": seed, "layer": layer, "core": core})
+    return means(pandas.DataFrame(found), ["lambda"], ["layer", "core"]).to_dict("records")
+
+
+# --- Columns. ------------------------------------------------------------------------------------
+
+def critical(table: pandas.DataFrame) -> list[dict]:
+    """Critical heights of each kind of column, of the radius that most of them have."""
+    usual = table[table["radius"] == table["radius"].mode().iloc[0]]
+    return [{"lambda": aspect, "friction": friction, "limits": limits, "columns": len(kind),
+             "collapsed": int(kind["collapsed"].sum()), "tallest": kind["height"].max(),
+             **{f"at_{part:g}": int((kind["lost"] > part).sum()) for part in (0.2, 0.5)},
+             **measures.critical_heights(kind["height"], kind["collapsed"])}
+            for (limits, aspect, friction), kind in usual.groupby(["limits", "lambda", "friction"])]
+
+
+def critical_rows(table: pandas.DataFrame) -> list[list[str]]:
+    def height(row, name):
+        if name not in row:   # all of them did the same
+            return "–"
+        return f"{row[name]:.2f} ({row[name + '_low']:.2f} to {row[name + '_high']:.2f})"
+    return [[f"{row['lambda']:g}", f"{row['friction']:g}", row["limits"], row["columns"], row["collapsed"],
+             f"{row['at_0.2']}, {row['at_0.5']}", pages.fixed(row["tallest"], 2),
+             height(row, "solid_below"), height(row, "falls_above")] for row in critical(table)]
+
+
+def run_out(table: pandas.DataFrame) -> pandas.DataFrame:
+    """Columns without limits that have collapsed, with `ratio`, height over radius."""
+    fallen = table[(table["limits"] == "none") & (table["collapsed"] == 1)
+                   & (table["run_out"] > 0)].copy()
+    fallen["ratio"] = fallen["height"] / fallen["radius"]
+    return fallen
+
+
+def exponents(table: pandas.DataFrame) -> list[dict]:
+    """Of the run-out below and above each break, of the largest friction and the aspect ratio with
+    tall columns; `alone`: largest part of single rods that rolled away."""
+    fallen = run_out(table)
+    if fallen.empty:
+        return []
+    fallen = fallen[fallen["friction"] == fallen["friction"].max()]
+    found = []
+    for at in BREAKS:
+        low, high = fallen[fallen["ratio"] < at], fallen[fallen["ratio"] >= at]
+        found.append({"break": at, "low_columns": len(low), "high_columns": len(high),
+                      "low": measures.exponent(low["ratio"], low["run_out"]),
+                      "high": measures.exponent(high["ratio"], high["run_out"]),
+                      "high_whole": measures.exponent(high["ratio"], 1 + high["run_out"])})
+    return found
+
+
+def exponent_rows(table: pandas.DataFrame) -> list[list[str]]:
+    return [[f"{row['break']:g}", row["low_columns"], pages.with_error(row["low"], 2),
+             row["high_columns"], pages.with_error(row["high"], 2),
+             pages.with_error(row["high_whole"], 2)] for row in exponents(table)]
+
+
+def probability(table: pandas.DataFrame) -> pandas.DataFrame:
+    """Part of the columns that collapse by bins of the height, with the error of a part of n."""
+    result = []
+    for case, kind in table.groupby(["limits", "lambda", "friction"]):
+        of_bin = numpy.digitize(kind["height"], BINS)
+        for k in numpy.unique(of_bin):
+            inside = kind[of_bin == k]
+            p = (inside["collapsed"].sum() + 1) / (len(inside) + 2)
+            result.append({"limits": case[0], "lambda": case[1], "friction": case[2],
+                           "height": inside["height"].mean(), "columns": len(inside),
+                           "part": inside["collapsed"].mean(),
+                           "error": sqrt(p * (1 - p) / len(inside))})
+    return pandas.DataFrame(result)
+
+
+def standing(table: pandas.DataFrame) -> pandas.DataFrame:
+    return means(table, ["friction", "lambda"], ["height", "lost", "collapsed", "rods"])
+
+
+def standing_rows(table: pandas.DataFrame) -> list[list[str]]:
+    return [[f"{row['friction']:g}", f"{row['lambda']:g}", row["cases"],
+             pages.with_error((row["height"], row["height_error"]), 2),
+             pages.with_error((row["lost"], row["lost_error"]), 2),
+             f"{row['collapsed'] * row['cases']:.0f}"] for row in standing(table).to_dict("records")]
+
+
+# --- Capsules. -----------------------------------------------------------------------------------
+
+def densest(table: pandas.DataFrame) -> dict:
+    """The largest solid fraction of the slowest compression."""
+    found = capsules(table)
+    slowest = found[found["rate"] == found["rate"].min()]
+    return slowest.loc[slowest["solid_fraction"].idxmax()].to_dict()
+
+
+def capsules(table: pandas.DataFrame) -> pandas.DataFrame:
+    return means(table, ["rate", "lambda"], ["solid_fraction", "contacts", "rattlers"])
+
+
+def capsules_rows(table: pandas.DataFrame) -> list[list[str]]:
+    return [[pages.power(row["rate"]), f"{row['lambda']:g}", row["cases"],
+             pages.with_error((row["solid_fraction"], row["solid_fraction_error"]), 4),
+             pages.with_error((row["contacts"], row["contacts_error"]), 2),
+             pages.fixed(100 * row["rattlers"], 1)]
+            for row in capsules(table).to_dict("records")]
+
+
+# --- The page. -----------------------------------------------------------------------------------
+
+def words(items, last: str = " and ") -> str:
+    items = [str(item) for item in items]
+    return last.join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else items[0]
+
+
+def values(tables: dict[str, str], literature: Path | str) -> dict:
+    """tables: paths by the names of the experiments; those left out are left out of the page."""
+    published = rows.read_rows(literature)
+    told: dict = {
+        "literature": [[row["experiment"], row["quantity"].replace("_", " "),
+                        f"{row['value']:g}" + (f" ± {row['error']:g}" if isfinite(row["error"]) else ""),
+                        row["printed"], "" if pandas.isna(row["not_printed"]) else row["not_printed"],
+                        row["source"]] for row in published.to_dict("records")],
+        "theirs": {(row["experiment"], row["quantity"]): row["value"]
+                   for row in published.to_dict("records")},
+        "lost": measures.LOST, "part": measures.RUN_OUT_PART}
+    read = {name: rows.read_rows(path) for name, path in tables.items()}
+    told |= {name: None for name in ("contacts", "wall", "collapse", "standing", "capsules")}
+    if "contacts" in read:
+        told["contacts"] = contacts_rows(read["contacts"])
+    if "wall" in read:
+        told["wall"] = layers(read["wall"])
+    if "collapse" in read:
+        alone = run_out(read["collapse"])["alone"]
+        told["collapse"] = {"alone": alone.max() if len(alone) else nan}
+        told["collapse_rows"] = critical_rows(read["collapse"])
+        told["exponent_rows"] = exponent_rows(read["collapse"])
+    if "standing" in read:
+        told["standing"] = True
+        told["standing_rows"] = standing_rows(read["standing"])
+    if "capsules" in read:
+        told["capsules"] = True
+        told["capsules_rows"] = capsules_rows(read["capsules"])
+        told["densest"] = densest(read["capsules"])
+    everything = pandas.concat(read.values())
+    return told | {"versions": words(sorted(everything["version"].unique())),
+                   "machines": words(sorted(everything["machine"].unique()))}
