@@ -241,8 +241,11 @@ def test_the_smallest_run(study, tmp_path):
     # Not one contact of a bed without friction is redundant.
     assert contacts.loc[0, "forces"] <= contacts.loc[0, "equations"] + 0.05 <= 5.05
     assert contacts.loc[0.2, "forces"] > 6
-    fallen = read_rows(results / "collapse.csv").sort_values("height")
+    columns_ = read_rows(results / "collapse.csv").sort_values("height")
+    fallen, limited = (columns_[columns_["limits"] == limits] for limits in ("none", "study"))
     assert list(fallen["collapsed"])[0] == 0 and list(fallen["collapsed"])[-1] == 1
+    # Rods that may not turn do not fall over.
+    assert limited["lost"].max() < fallen["lost"].max()
     text = (results / "README.md").read_text()
     for name in ("contacts", "wall", "collapse", "standing", "capsules"):
         assert f"]({name}.png)" in text and (results / f"{name}.svg").exists()
