@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy
 import pandas
+from matplotlib import ticker
 
 from studies.common import plots
 from studies.experiments import measures, page
@@ -27,9 +28,13 @@ def points(axes, x, y, errors, **style):
     axes.errorbar(x, y, plots.errors(errors), linestyle="none", capsize=2, **style)
 
 
+def legend_below(axes, columns: int) -> None:
+    axes.legend(fontsize=6.5, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=columns)
+
+
 def contacts_figure(table, theirs):
     found = page.contacts(table)
-    figure, (left, right) = plots.new_figure(170, 85, 1, 2)
+    figure, (left, right) = plots.new_figure(170, 105, 1, 2)
     plain = found[(found["method"] == "rods") & (found["limits"] == "none")]
     frictions = sorted(found["friction"].unique())
     for n, (aspect, kind) in enumerate(plain.groupby("lambda")):
@@ -59,7 +64,7 @@ def contacts_figure(table, theirs):
     left.set(xticks=range(len(frictions)), xticklabels=[f"{f:g}" for f in frictions],
              xlim=(-0.5, len(frictions) - 0.4), ylim=(3.5, 11.5), xlabel="friction",
              ylabel="contacts a rod")
-    left.legend(fontsize=6.5, loc="center right")
+    legend_below(left, 2)
 
     gaps = page.gaps_of(table)
     longest = plain[plain["lambda"] == plain["lambda"].max()]
@@ -70,7 +75,7 @@ def contacts_figure(table, theirs):
     right.axhline(measured, color=C["grey"], linewidth=0.8)
     right.set(xscale="log", xlabel="gap below which rods count as touching (D)",
               ylabel=f"rods so near, λ = {plain['lambda'].max():g}")
-    right.legend()
+    legend_below(right, 2)
     return figure
 
 
@@ -92,33 +97,42 @@ def wall_figure(table, theirs):
         axes.axvline(number(theirs, "layer"), color=C["black"], linewidth=0.8,
                      linestyle=plots.DASHES[2])
         axes.set(xlabel="distance from the side / length of a rod", xlim=(0, 2.1))
-    left.text(number(theirs, "layer") + 0.03, 0.05, "Freeman et al.", fontsize=8)
+    left.text(number(theirs, "layer") + 0.03, 0.03, "Freeman et al.", fontsize=8)
+    right.plot(x, measures.order_beside_a_wall(x), color=C["grey"], linestyle=plots.DASHES[1])
     left.set(ylabel="V$_f$ / that of the core", ylim=(0, None))
     right.set(ylabel="radial order: −1 along the wall", ylim=(-1.05, 1))
-    left.legend(loc="lower right")
+    left.legend(loc="center right")
     return figure
 
 
 def collapse_figure(table, theirs):
-    figure, (left, right) = plots.new_figure(170, 85, 1, 2)
+    figure, (left, right) = plots.new_figure(170, 105, 1, 2)
     low, high = number(theirs, "solid_below"), number(theirs, "falls_above")
     left.plot([0, low, high, 2], [0, 0, 1, 1], color=C["black"], label="experiment, λ < 24")
+    aspects, frictions = (sorted(table[name].unique()) for name in ("lambda", "friction"))
+
+    def style(aspect, friction):
+        return {"color": CYCLE[frictions.index(friction) % 7],
+                "marker": MARKERS[aspects.index(aspect) % 7], "markersize": 5}
+
     for n, (case, kind) in enumerate(page.probability(table).groupby(["limits", "lambda", "friction"])):
         limits, aspect, friction = case
-        name = f"λ = {aspect:g}, friction {friction:g}" + (", limits on ω" if limits != "none" else "")
-        points(left, kind["height"] + 0.006 * n, kind["part"], kind["error"], color=CYCLE[n % 7],
-               marker=MARKERS[n % 7], markersize=5, label=name,
-               markerfacecolor=CYCLE[n % 7] if limits == "none" else "white")
+        free = limits == "none"
+        name = f"λ = {aspect:g}, friction {friction:g}" + ("" if free else ", limits on ω")
+        points(left, kind["height"] + 0.008 * n, kind["part"],
+               [kind["part"] - kind["low"], kind["high"] - kind["part"]], label=name,
+               elinewidth=0.8, **(style(aspect, friction) if free else
+                                  {"color": C["black"], "marker": "X", "markersize": 5}))
     left.set(xlabel="height of the column / length of a rod", ylabel="part of the columns that collapse",
-             xlim=(0, 1.6), ylim=(-0.1, 1.1))
-    left.legend(fontsize=6, loc="lower right")
+             xlim=(0, 1.6), ylim=(-0.05, 1.05))
+    legend_below(left, 2)
 
     fallen = page.run_out(table)
-    for n, ((aspect, friction, radius), kind) in enumerate(
-            fallen.groupby(["lambda", "friction", "radius"])):
-        right.plot(kind["ratio"], kind["run_out"], linestyle="none", color=CYCLE[n % 7],
-                   marker=MARKERS[n % 7], markersize=4.5,
-                   label=f"λ = {aspect:g}, friction {friction:g}, R = {radius:g} L")
+    for (aspect, friction, radius), kind in fallen.groupby(["lambda", "friction", "radius"]):
+        usual = radius == table["radius"].mode().iloc[0]
+        right.plot(kind["ratio"], kind["run_out"], linestyle="none", **style(aspect, friction),
+                   **({} if usual else {"markerfacecolor": "white"}),
+                   label=None if usual else f"λ = {aspect:g}, friction {friction:g}, R = {radius:g} L")
     if len(fallen):
         middle = float(numpy.exp(numpy.log(fallen["ratio"]).mean()))
         level = float(numpy.exp(numpy.log(fallen["run_out"]).mean()))
@@ -130,7 +144,11 @@ def collapse_figure(table, theirs):
                        label=f"experiment: slope {n:g}")
     right.set(xscale="log", yscale="log", xlabel="height / radius of the column",
               ylabel="run-out $(r_f - r_i)/r_i$")
-    right.legend(fontsize=6)
+    for axis in (right.xaxis, right.yaxis):
+        axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
+        axis.set_minor_formatter(ticker.NullFormatter())
+    legend_below(right, 1)
     return figure
 
 

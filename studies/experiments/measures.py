@@ -192,6 +192,22 @@ def beside_a_wall(distance_over_length):
     return x * (1 - numpy.log(x))
 
 
+def order_beside_a_wall(distance_over_length):
+    """⟨cos 2(φ - φ_n)⟩ of such rods with their centres that far from an upright wall of normal φ_n:
+    the component c along it is even from 0 to what fits, min(1, 2 x), and the mean over all turns
+    about it is 2 c - 1."""
+    return numpy.minimum(1, 2 * numpy.asarray(distance_over_length, float)) - 1
+
+
+def order_layer(distance, order) -> float:
+    """Twice the integral of -order over a length from the wall: where it ends, if it falls evenly
+    from 1 there to 0, 1/2 by order_beside_a_wall. Bins without rods are what their neighbours are."""
+    distance, order = numpy.asarray(distance, float), numpy.asarray(order, float)
+    known = numpy.isfinite(order)
+    x = (numpy.arange(200) + 0.5) / 200
+    return float(-2 * numpy.interp(x, distance[known], order[known]).mean())
+
+
 def layer(distance, fraction, core_from: float, part: float = 0.95) -> tuple[float, float]:
     """How far from the wall the solid fraction first reaches `part` of that of the core, which lies
     at `core_from` and beyond; and that of the core. Straight between the middles of bins."""

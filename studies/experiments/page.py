@@ -20,7 +20,7 @@ BINS = numpy.arange(0, 2.01, 0.2)     # of the heights for a figure
 def means(table: pandas.DataFrame, keys: list[str], names: list[str]) -> pandas.DataFrame:
     """A row for each case of `keys`: `cases`, their number, each name's mean and NAME_error."""
     result = []
-    for _, group in table.groupby(keys, sort=True):
+    for _, group in table.groupby(keys if len(keys) > 1 else keys[0], sort=True):
         row = group.iloc[0][keys].to_dict() | {"cases": len(group)}
         for name in names:
             row[name], row[f"{name}_error"] = statistics.mean_and_error(group[name].dropna())
@@ -75,13 +75,22 @@ def wall_profile(table: pandas.DataFrame, aspect: float, kind: str) -> pandas.Da
 
 
 def layers(table: pandas.DataFrame) -> list[dict]:
-    """Of each bed where V_f first reaches 95 % of the core's, which begins a length off the wall."""
+    """Of each aspect ratio: where V_f first reaches 95 % of the core's, which begins a length off the
+    wall, and where the order ends."""
     found = []
-    for (aspect, seed), bed in table[table["kind"] == "vf"].groupby(["lambda", "seed"]):
-        bed = bed.sort_values("distance")
-        layer, core = measures.layer(bed["distance"], bed["value"], 1.0)
-        found.append({"lambda": aspect, "seed": seed, "layer": layer, "core": core})
-    return means(pandas.DataFrame(found), ["lambda"], ["layer", "core"]).to_dict("records")
+    for (aspect, seed), bed in table.sort_values("distance").groupby(["lambda", "seed"]):
+        kinds = {kind: rows_of for kind, rows_of in bed.groupby("kind")}
+        fractions, order = kinds["vf"], kinds["radial_order"]
+        layer, core = measures.layer(fractions["distance"], fractions["value"], 1.0)
+        found.append({"lambda": aspect, "layer": layer, "core": core,
+                      "order_layer": measures.order_layer(order["distance"], order["value"])})
+    return means(pandas.DataFrame(found), ["lambda"], ["layer", "core", "order_layer"]).to_dict("records")
+
+
+def layer_rows(table: pandas.DataFrame) -> list[list[str]]:
+    return [[f"{row['lambda']:g}", row["cases"], *(
+        pages.with_error((row[name], row[f"{name}_error"]), digits)
+        for name, digits in (("core", 3), ("layer", 2), ("order_layer", 2)))] for row in layers(table)]
 
 
 # --- Columns. ------------------------------------------------------------------------------------
@@ -137,18 +146,24 @@ def exponent_rows(table: pandas.DataFrame) -> list[list[str]]:
              pages.with_error(row["high_whole"], 2)] for row in exponents(table)]
 
 
+def wilson(yes: int, of: int) -> tuple[float, float]:
+    """Interval of a part, one standard error to each side (Wilson 1927): within 0 and 1."""
+    middle = (yes + 0.5) / (of + 1)
+    half = sqrt(yes * (of - yes) / of + 0.25) / (of + 1)
+    return middle - half, middle + half
+
+
 def probability(table: pandas.DataFrame) -> pandas.DataFrame:
-    """Part of the columns that collapse by bins of the height, with the error of a part of n."""
+    """Part of the columns that collapse by bins of the height, with its interval."""
     result = []
     for case, kind in table.groupby(["limits", "lambda", "friction"]):
         of_bin = numpy.digitize(kind["height"], BINS)
         for k in numpy.unique(of_bin):
             inside = kind[of_bin == k]
-            p = (inside["collapsed"].sum() + 1) / (len(inside) + 2)
+            low, high = wilson(int(inside["collapsed"].sum()), len(inside))
             result.append({"limits": case[0], "lambda": case[1], "friction": case[2],
                            "height": inside["height"].mean(), "columns": len(inside),
-                           "part": inside["collapsed"].mean(),
-                           "error": sqrt(p * (1 - p) / len(inside))})
+                           "part": inside["collapsed"].mean(), "low": low, "high": high})
     return pandas.DataFrame(result)
 
 
@@ -207,7 +222,7 @@ def values(tables: dict[str, str], literature: Path | str) -> dict:
     if "contacts" in read:
         told["contacts"] = contacts_rows(read["contacts"])
     if "wall" in read:
-        told["wall"] = layers(read["wall"])
+        told["wall"] = layer_rows(read["wall"])
     if "collapse" in read:
         alone = run_out(read["collapse"])["alone"]
         told["collapse"] = {"alone": alone.max() if len(alone) else nan}

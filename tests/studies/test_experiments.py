@@ -202,6 +202,26 @@ def test_solid_beside_a_wall():
     middle = (edges[1:] + edges[:-1]) / 2
     assert 10 * counts[1:] / core == pytest.approx(measures.beside_a_wall(middle[1:]), abs=0.03)
     assert measures.beside_a_wall([1, 5]) == pytest.approx([1, 1])
+    # Headings from the normal: c along it, the rest in any direction about it.
+    across = np.cos(rng.uniform(0, 2 * np.pi, c.size)) * np.sqrt(1 - c * c)
+    order = (c * c - across ** 2) / (c * c + across ** 2)
+    for x in (0.1, 0.3, 0.45, 0.8):
+        near = kept & (abs(centre - x) < 0.03)
+        assert order[near].mean() == pytest.approx(measures.order_beside_a_wall(x), abs=0.08)
+
+
+def test_order_ends_at_half_a_length_by_geometry():
+    x = np.arange(0.05, 2, 0.1)
+    order = measures.order_beside_a_wall(x)
+    assert measures.order_layer(x, order) == pytest.approx(0.5, abs=0.01)
+    order[3] = np.nan
+    assert measures.order_layer(x, order) == pytest.approx(0.5, abs=0.01)
+
+
+# 0 of n and n of n are not without error; Wilson's formula by hand for 1 of 4.
+def test_interval_of_a_part():
+    assert page.wilson(0, 3) == pytest.approx((0, 0.25)) and page.wilson(3, 3)[1] == 1
+    assert page.wilson(1, 4) == pytest.approx((0.3 - 0.2, 0.3 + 0.2))
 
 
 def test_layer_of_a_known_profile():
