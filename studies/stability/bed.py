@@ -145,14 +145,12 @@ def attempt(folder: Path, deck: Path | str, values: dict, build,
     try:
         done = cases.run_deck(folder, deck, values, program=program, build=build)
         return None, done.command, done.cpu_seconds
-    except cases.CaseError as error:
-        sentence, _, rest = str(error).partition(" (in ")
+    except cases.DeckError as error:
         log = folder / f"log.{Path(deck).name.removeprefix('in.')}"
         if not log.exists() or not re.search(r"^ *Step .*height", log.read_text(errors="replace"),
                                              re.MULTILINE):
             raise   # it did not come to the first step
-        found = re.search(r": (.*); all of it in", rest)
-        return sentence, found.group(1) if found else "", math.nan
+        return error.reason, error.command, math.nan
 
 
 def pour(folder: Path | str, point: Point, build) -> tuple[pandas.DataFrame, dict]:
