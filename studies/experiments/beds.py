@@ -76,8 +76,7 @@ def contacts_of_spheres(folder: Path | str, aspect: float, number: int, spacing:
     bed = settling.settle_spheres(folder, aspect, seed, spacing, SPHERES_DECK, fraction=0.36,
                                   total_time=time, number=number, build=build)
     vessel, _ = settling.vessel_of(aspect)
-    spheres = measures.read_frame(folder / "dump.bodies", "ATOMS")
-    touching, places = sphere_contacts(spheres)
+    touching, places = sphere_contacts(measures.read_frame(folder / "dump.bodies", "ATOMS"))
     return {"lambda": aspect, "method": f"spheres {spacing:g} r apart", "friction": 0.2,
             "limits": "none", "rods": number, "end_time_s": bed.end_time,
             "rested": int(bed.rested), "contacts": 2 * touching / number,
@@ -97,8 +96,8 @@ def sphere_contacts(spheres: pandas.DataFrame) -> tuple[int, int]:
 
 def wall(folder: Path | str, aspect: float, friction: float, vessel: float, depth: float, seed: int,
          build) -> list[dict]:
-    """Rows of one bed in a wide vessel, one a distance from its side; vessel: diameter, and depth of
-    the bed about, over the length of a rod."""
+    """Rows of one bed in a wide vessel, one a distance from its side; vessel: diameter, and depth
+    of the bed about, over the length of a rod."""
     folder = Path(folder)
     length = aspect * settling.DIAMETER
     volume = settling.mass_of(aspect) / settling.DENSITY

@@ -13,7 +13,7 @@ from studies.packing.measures import random_contacts
 
 DECKS = [*settling.DECKS, cases.ROOT / "input" / "in.collapse"]
 STEP = 5.0e-5        # s, a fifth of the limit of two rods end to end
-LOOSE = 0.6          # of the solid fraction of random isotropic contacts: to choose a number of rods
+LOOSE = 0.6          # of V_f by random isotropic contacts: to choose a number of rods
 RISE = 2             # heights come out up to so many times those aimed at
 SETTLE_TIME = 3.0    # s after all have landed, at most
 FALL_TIMES = 14      # after the removal, in sqrt(length/g): 1.5 s for 12 cm
@@ -55,7 +55,8 @@ def column(folder: Path | str, aspect: float, radius: float, height: float, fric
         "fill_time": f"{landed:g}", "total_time": f"{total:g}", "stop_at_rest": 1,
         "thermo_every": 2000, "dump_every": round(total / STEP)}
     cases.link_decks(folder, DECKS)
-    runs = [cases.run_deck(folder, deck, variables, build=build) for deck in ("in.fill", "in.settle")]
+    runs = [cases.run_deck(folder, deck, variables, build=build)
+            for deck in ("in.fill", "in.settle")]
     runs.append(cases.run_deck(folder, "in.collapse", variables | {
         "reach": f"{reach:.4g}", "collapse_time": f"{fall:g}", "limit_collapse": then,
         "dump_every": round(fall / STEP)}, build=build))

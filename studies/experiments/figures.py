@@ -88,8 +88,8 @@ def wall_figure(table, theirs):
         profile = page.wall_profile(table, aspect, "vf")
         core = profile.loc[profile["distance"] >= 1, "value"].mean()
         left.errorbar(profile["distance"], profile["value"] / core,
-                      plots.errors(profile["value_error"] / core), color=CYCLE[n], marker=MARKERS[n],
-                      markersize=4, label=f"λ = {aspect:g}")
+                      plots.errors(profile["value_error"] / core), color=CYCLE[n],
+                      marker=MARKERS[n], markersize=4, label=f"λ = {aspect:g}")
         order = page.wall_profile(table, aspect, "radial_order")
         right.errorbar(order["distance"], order["value"], plots.errors(order["value_error"]),
                        color=CYCLE[n], marker=MARKERS[n], markersize=4, label=f"λ = {aspect:g}")
@@ -115,7 +115,8 @@ def collapse_figure(table, theirs):
         return {"color": CYCLE[frictions.index(friction) % 7],
                 "marker": MARKERS[aspects.index(aspect) % 7], "markersize": 5}
 
-    for n, (case, kind) in enumerate(page.probability(table).groupby(["limits", "lambda", "friction"])):
+    parts = page.probability(table).groupby(["limits", "lambda", "friction"])
+    for n, (case, kind) in enumerate(parts):
         limits, aspect, friction = case
         free = limits == "none"
         name = f"λ = {aspect:g}, friction {friction:g}" + ("" if free else ", limits on ω")
@@ -123,8 +124,8 @@ def collapse_figure(table, theirs):
                [kind["part"] - kind["low"], kind["high"] - kind["part"]], label=name,
                elinewidth=0.8, **(style(aspect, friction) if free else
                                   {"color": C["black"], "marker": "X", "markersize": 5}))
-    left.set(xlabel="height of the column / length of a rod", ylabel="part of the columns that collapse",
-             xlim=(0, 1.6), ylim=(-0.05, 1.05))
+    left.set(xlabel="height of the column / length of a rod",
+             ylabel="part of the columns that collapse", xlim=(0, 1.6), ylim=(-0.05, 1.05))
     legend_below(left, 2)
 
     fallen = page.run_out(table)
@@ -132,7 +133,8 @@ def collapse_figure(table, theirs):
         usual = radius == table["radius"].mode().iloc[0]
         right.plot(kind["ratio"], kind["run_out"], linestyle="none", **style(aspect, friction),
                    **({} if usual else {"markerfacecolor": "white"}),
-                   label=None if usual else f"λ = {aspect:g}, friction {friction:g}, R = {radius:g} L")
+                   label=None if usual else
+                   f"λ = {aspect:g}, friction {friction:g}, R = {radius:g} L")
     if len(fallen):
         middle = float(numpy.exp(numpy.log(fallen["ratio"]).mean()))
         level = float(numpy.exp(numpy.log(fallen["run_out"]).mean()))
@@ -155,8 +157,8 @@ def collapse_figure(table, theirs):
 def standing_figure(table, theirs):
     figure, axes = plots.new_figure(125, 85)
     for n, (friction, kind) in enumerate(page.standing(table).groupby("friction")):
-        points(axes, kind["lambda"] + 0.4 * (n - 1), kind["lost"], kind["lost_error"], color=CYCLE[n],
-               marker=MARKERS[n], label=f"friction {friction:g}")
+        points(axes, kind["lambda"] + 0.4 * (n - 1), kind["lost"], kind["lost_error"],
+               color=CYCLE[n], marker=MARKERS[n], label=f"friction {friction:g}")
         kinds = table[table["friction"] == friction]
         axes.plot(kinds["lambda"] + 0.4 * (n - 1), kinds["lost"], linestyle="none", marker="_",
                   color=CYCLE[n], alpha=0.6)
@@ -172,8 +174,9 @@ def capsules_figure(table, theirs):
     figure, axes = plots.new_figure(125, 85)
     found = page.capsules(table)
     for n, (rate, kind) in enumerate(found.groupby("rate", sort=True)):
-        axes.errorbar(kind["lambda"], kind["solid_fraction"], plots.errors(kind["solid_fraction_error"]),
-                      color=CYCLE[n], marker=MARKERS[n], capsize=2, label=f"rate {rate:g}")
+        axes.errorbar(kind["lambda"], kind["solid_fraction"],
+                      plots.errors(kind["solid_fraction_error"]), color=CYCLE[n], marker=MARKERS[n],
+                      capsize=2, label=f"rate {rate:g}")
     value = theirs["value"], theirs["error"]
     axes.errorbar([value[0]["aspect"]], [value[0]["solid_fraction"]],
                   [value[1]["solid_fraction"]], [value[1]["aspect"]], color=C["black"], marker="*",

@@ -55,9 +55,9 @@ def height(rods: pandas.DataFrame) -> float:
 
 
 def collapse(before: pandas.DataFrame, after: pandas.DataFrame) -> dict:
-    """What became of a column: height before and lost part of it; run-out (r_f - r_i)/r_i with r the
-    radius of RUN_OUT_PART of the solid, of the rods that touch another in the end; part of the rods
-    that do not: single ones roll on, which nothing but rolling friction stops."""
+    """What became of a column: height before and lost part of it; run-out (r_f - r_i)/r_i with r
+    the radius of RUN_OUT_PART of the solid, of the rods that touch another in the end; part of the
+    rods that do not: single ones roll on, which nothing but rolling friction stops."""
     (r_before, z_before), (r_after, z_after) = solid(before), solid(after)
     heap = after["contacts"].to_numpy() > 0 if "contacts" in after else numpy.full(len(after), True)
     final = numpy.quantile(r_after[heap], RUN_OUT_PART) if heap.any() else numpy.nan
@@ -185,9 +185,9 @@ def without_rattlers(count: int, pairs: numpy.ndarray, least: int) -> tuple[int,
 # --- Walls. --------------------------------------------------------------------------------------
 
 def beside_a_wall(distance_over_length):
-    """Solid fraction over that far from the wall, for thin rods thrown at random of which those that
-    would cross the wall are left out: a rod at the angle acos(c) to the wall's normal covers heights
-    up to c L, evenly and no nearer than c L/2 with its centre; ∫ min(1, x/c) dc = x (1 - ln x)."""
+    """Solid fraction over that far from the wall, for thin rods thrown at random of which those
+    that would cross the wall are left out: a rod at the angle acos(c) to the wall's normal covers
+    distances of c L evenly, its centre no nearer than c L/2; ∫ min(1, x/c) dc = x (1 - ln x)."""
     x = numpy.clip(numpy.asarray(distance_over_length, float), 1e-12, 1)
     return x * (1 - numpy.log(x))
 
@@ -200,8 +200,8 @@ def order_beside_a_wall(distance_over_length):
 
 
 def order_layer(distance, order) -> float:
-    """Twice the integral of -order over a length from the wall: where it ends, if it falls evenly
-    from 1 there to 0, 1/2 by order_beside_a_wall. Bins without rods are what their neighbours are."""
+    """Twice the integral of -order over a length from the wall: where it ends if it falls evenly
+    from 1 at the wall, 1/2 by order_beside_a_wall. Bins without rods are as their neighbours."""
     distance, order = numpy.asarray(distance, float), numpy.asarray(order, float)
     known = numpy.isfinite(order)
     x = (numpy.arange(200) + 0.5) / 200

@@ -12,7 +12,6 @@ from studies.common import pages, rows, statistics
 from studies.experiments import measures
 
 FEW_CONTACTS, MANY_CONTACTS = 4, 10   # a rod in the bulk, by counting: with friction, without
-MEASURED_CONTACTS = 9.8               # of literature.csv, for gap_for
 BREAKS = (1.0, 1.5, 2.0)              # of the law of the run-out, height over radius
 BINS = numpy.arange(0, 2.01, 0.2)     # of the heights for a figure
 
@@ -35,35 +34,42 @@ def gaps_of(table: pandas.DataFrame) -> list[float]:
 
 
 def gap_for(row, gaps, wanted: float) -> float:
-    """Gap, in diameters, below which `wanted` others lie a rod: straight between the logarithms; NaN
-    outside."""
+    """Gap, in diameters, below which `wanted` others lie a rod: straight between the logarithms;
+    NaN outside."""
     counts = [row[f"nearer_{gap:g}"] for gap in gaps]
     if not counts or not counts[0] <= wanted <= counts[-1]:
         return nan
     return float(numpy.exp(numpy.interp(wanted, counts, numpy.log(gaps))))
 
 
-def contacts(table: pandas.DataFrame) -> pandas.DataFrame:
+def contacts(table: pandas.DataFrame, wanted: float = nan) -> pandas.DataFrame:
+    """Means over beds; `gap` is that for `wanted` contacts a rod."""
     table = table.copy()
     gaps = gaps_of(table)
     table["implied"] = 2 * table["implied_half_contacts"]
-    table["gap"] = [gap_for(row, gaps, MEASURED_CONTACTS) for row in table.to_dict("records")]
+    table["gap"] = [gap_for(row, gaps, wanted) for row in table.to_dict("records")]
     for name in ("contacts_inside", "of_bearing", "sliding", "forces", "equations", "places"):
         if name not in table:
             table[name] = nan
     return means(table, ["method", "limits", "friction", "lambda"],
-                 ["contacts", "contacts_inside", "implied", "of_bearing", "sliding", "forces", "equations",
-                  "vf_inner", "gap", "places", *[f"nearer_{gap:g}" for gap in gaps]])
+                 ["contacts", "contacts_inside", "implied", "of_bearing", "sliding", "forces",
+                  "equations", "vf_inner", "gap", "places", *[f"nearer_{gap:g}" for gap in gaps]])
 
 
-def contacts_rows(table: pandas.DataFrame) -> list[list[str]]:
+def contacts_rows(table: pandas.DataFrame, wanted: float) -> list[list[str]]:
     def pair(row, name, digits):
         return pages.with_error((row[name], row[f"{name}_error"]), digits)
-    return [[row["method"], row["limits"], f"{row['friction']:g}", f"{row['lambda']:g}", row["cases"],
-             pair(row, "vf_inner", 3), pair(row, "contacts", 2),
+
+    def counted(row):
+        # Two rods glued of spheres touch at several of them.
+        spheres = f" ({row['places']:.2f} of spheres)" if isfinite(row["places"]) else ""
+        return pair(row, "contacts", 2) + spheres
+    return [[row["method"], row["limits"], f"{row['friction']:g}", f"{row['lambda']:g}",
+             row["cases"], pair(row, "vf_inner", 3), counted(row),
              pair(row, "contacts_inside", 2), pair(row, "implied", 2), pages.fixed(row["gap"], 3),
-             pair(row, "of_bearing", 2), pages.fixed(row["forces"], 2), pages.fixed(row["equations"], 2), pages.fixed(100 * row["sliding"], 0)]
-            for row in contacts(table).to_dict("records")]
+             pair(row, "of_bearing", 2), pages.fixed(row["forces"], 2),
+             pages.fixed(row["equations"], 2), pages.fixed(100 * row["sliding"], 0)]
+            for row in contacts(table, wanted).to_dict("records")]
 
 
 # --- Wall. ---------------------------------------------------------------------------------------
@@ -75,8 +81,8 @@ def wall_profile(table: pandas.DataFrame, aspect: float, kind: str) -> pandas.Da
 
 
 def layers(table: pandas.DataFrame) -> list[dict]:
-    """Of each aspect ratio: where V_f first reaches 95 % of the core's, which begins a length off the
-    wall, and where the order ends."""
+    """Of each aspect ratio: where V_f first reaches 95 % of the core's, which begins a length off
+    the wall, and where the order ends."""
     found = []
     for (aspect, seed), bed in table.sort_values("distance").groupby(["lambda", "seed"]):
         kinds = {kind: rows_of for kind, rows_of in bed.groupby("kind")}
@@ -84,13 +90,15 @@ def layers(table: pandas.DataFrame) -> list[dict]:
         layer, core = measures.layer(fractions["distance"], fractions["value"], 1.0)
         found.append({"lambda": aspect, "layer": layer, "core": core,
                       "order_layer": measures.order_layer(order["distance"], order["value"])})
-    return means(pandas.DataFrame(found), ["lambda"], ["layer", "core", "order_layer"]).to_dict("records")
+    return means(pandas.DataFrame(found), ["lambda"],
+                 ["layer", "core", "order_layer"]).to_dict("records")
 
 
 def layer_rows(table: pandas.DataFrame) -> list[list[str]]:
     return [[f"{row['lambda']:g}", row["cases"], *(
         pages.with_error((row[name], row[f"{name}_error"]), digits)
-        for name, digits in (("core", 3), ("layer", 2), ("order_layer", 2)))] for row in layers(table)]
+        for name, digits in (("core", 3), ("layer", 2), ("order_layer", 2)))]
+        for row in layers(table)]
 
 
 # --- Columns. ------------------------------------------------------------------------------------
@@ -110,8 +118,8 @@ def critical_rows(table: pandas.DataFrame) -> list[list[str]]:
         if name not in row:   # all of them did the same
             return "–"
         return f"{row[name]:.2f} ({row[name + '_low']:.2f} to {row[name + '_high']:.2f})"
-    return [[f"{row['lambda']:g}", f"{row['friction']:g}", row["limits"], row["columns"], row["collapsed"],
-             f"{row['at_0.2']}, {row['at_0.5']}", pages.fixed(row["tallest"], 2),
+    return [[f"{row['lambda']:g}", f"{row['friction']:g}", row["limits"], row["columns"],
+             row["collapsed"], f"{row['at_0.2']}, {row['at_0.5']}", pages.fixed(row["tallest"], 2),
              height(row, "solid_below"), height(row, "falls_above")] for row in critical(table)]
 
 
@@ -175,7 +183,8 @@ def standing_rows(table: pandas.DataFrame) -> list[list[str]]:
     return [[f"{row['friction']:g}", f"{row['lambda']:g}", row["cases"],
              pages.with_error((row["height"], row["height_error"]), 2),
              pages.with_error((row["lost"], row["lost_error"]), 2),
-             f"{row['collapsed'] * row['cases']:.0f}"] for row in standing(table).to_dict("records")]
+             f"{row['collapsed'] * row['cases']:.0f}"]
+            for row in standing(table).to_dict("records")]
 
 
 # --- Capsules. -----------------------------------------------------------------------------------
@@ -209,18 +218,21 @@ def words(items, last: str = " and ") -> str:
 def values(tables: dict[str, str], literature: Path | str) -> dict:
     """tables: paths by the names of the experiments; those left out are left out of the page."""
     published = rows.read_rows(literature)
+    theirs = {(row["experiment"], row["quantity"]): row["value"]
+              for row in published.to_dict("records")}
+
+    def value(row):
+        return f"{row['value']:g}" + (f" ± {row['error']:g}" if isfinite(row["error"]) else "")
     told: dict = {
-        "literature": [[row["experiment"], row["quantity"].replace("_", " "),
-                        f"{row['value']:g}" + (f" ± {row['error']:g}" if isfinite(row["error"]) else ""),
-                        row["printed"], "" if pandas.isna(row["not_printed"]) else row["not_printed"],
-                        row["source"]] for row in published.to_dict("records")],
-        "theirs": {(row["experiment"], row["quantity"]): row["value"]
-                   for row in published.to_dict("records")},
+        "literature": [[row["experiment"], row["quantity"].replace("_", " "), value(row),
+                        row["printed"], row["not_printed"], row["source"]]
+                       for row in published.fillna({"not_printed": ""}).to_dict("records")],
+        "theirs": theirs,
         "lost": measures.LOST, "part": measures.RUN_OUT_PART}
     read = {name: rows.read_rows(path) for name, path in tables.items()}
     told |= {name: None for name in ("contacts", "wall", "collapse", "standing", "capsules")}
     if "contacts" in read:
-        told["contacts"] = contacts_rows(read["contacts"])
+        told["contacts"] = contacts_rows(read["contacts"], theirs["contacts", "contacts"])
     if "wall" in read:
         told["wall"] = layer_rows(read["wall"])
     if "collapse" in read:

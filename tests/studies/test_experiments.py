@@ -117,8 +117,8 @@ def touch(i, j, normal, place, tangential=(0, 0, 0)):
     return [i, j, *normal, *tangential, *place]
 
 
-# A rod flat on the floor: two contacts, which balance height and one torque. On four: two of them are
-# redundant. One that leans in a corner of two walls: each contact its equation.
+# A rod flat on the floor: two contacts, which balance height and one torque. On four: two of them
+# are redundant. One that lies in a corner of three walls: each contact its equation.
 def test_independent_equations_of_single_rods():
     rod = rods_at([(0, 0, 0.005)], (1.0, 0.0, 0.0))
     none = table_of([], COLUMNS)
@@ -131,8 +131,8 @@ def test_independent_equations_of_single_rods():
     assert measures.independent_equations(none, corner, rod) == 5
 
 
-# Rods that hang together by contacts in general position: 5 equations each without walls, less the 6
-# of the whole, which no contact between them can push or turn.
+# Rods that hang together by contacts in general position: 5 equations each without walls, less the
+# 6 of the whole, which no contact between them can push or turn.
 def test_isostatic_counts():
     rng = np.random.default_rng(11)
     n = 12
@@ -164,7 +164,7 @@ def test_sliding_contacts_have_one_unknown_less():
 
 def test_contacts_inside_are_those_of_the_inner_cylinder():
     rods = rods_at([(0, 0, 0.5), (0.08, 0, 0.5), (0, 0.02, 0.95), (0, 0, 1)])
-    pairs = table_of([touch(1, 2, (1, 0, 0), (0, 0, 0)), touch(1, 3, (1, 0, 0), (0, 0, 0))], COLUMNS)
+    pairs = table_of([touch(1, j, (1, 0, 0), (0, 0, 0)) for j in (2, 3)], COLUMNS)
     assert measures.contacts_inside(pairs, rods, 0.1) == 2    # of rod 1 alone
     assert measures.contacts_inside(pairs, rods, 0.11) == 1.5  # and of rod 2
 
