@@ -3,12 +3,14 @@
 // they have come down; what can be chosen does what it says.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/rotation.h"
 #include "deck_run.h"
 
 using namespace decks;
@@ -96,6 +98,51 @@ TEST(StudyDecksQuick, EndsAtRest)
   EXPECT_NE(outcome.output.find("ended 1 at"), std::string::npos) << outcome.output;
   EXPECT_EQ(read_dump(folder / "dump.settle").back().step, static_cast<long>(last));
   EXPECT_TRUE(std::filesystem::exists(folder / "restart.settle"));
+}
+
+// The largest angular velocity of a rod, total and across its axis, at the end of a stage.
+struct Fastest {
+  double total = 0.0, across = 0.0;
+};
+
+Fastest fastest_in(const Table &rods)
+{
+  Fastest fastest;
+  for (size_t i = 0; i < rods.rows.size(); i++) {
+    const auto value = [&](const char *column) { return rods.at(i, column); };
+    const spherocylinder::Vec3 omega = {value("omegax"), value("omegay"), value("omegaz")};
+    const spherocylinder::Vec3 axis =
+        spherocylinder::axis_of({value("quat1"), value("quat2"), value("quat3"), value("quat4")});
+    fastest.total = std::max(fastest.total, norm(omega));
+    fastest.across = std::max(fastest.across, norm(omega - dot(omega, axis) * axis));
+  }
+  return fastest;
+}
+
+// limit_part, given to in.fill, holds in both stages: rods roll faster than the limit of their
+// transverse part, and not where the total is limited. Dumps have six digits.
+TEST(StudyDecksLimit, PartIsThatOfBothStages)
+{
+  for (const std::string part : {"total", "transverse"}) {
+    const DeckFolder folder;
+    copy_decks(folder);
+    const std::string limits = "variable limit_fill index 2.0\nvariable limit_settle index 1.0\n"
+                               "variable dump_every index 1000\n";
+    for (const std::string stage : {"fill", "settle"}) {
+      const std::string given = stage == "fill" ? "variable limit_part index " + part + "\n" : "";
+      folder.write("in." + stage + "_case", limits + given + kCase + "include in." + stage + "\n");
+      const Outcome outcome = folder.run("in." + stage + "_case");
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+      const double limit = stage == "fill" ? 2.0 : 1.0;
+      const Fastest fastest = fastest_in(read_dump(folder / ("dump." + stage)).back().atoms);
+      EXPECT_LE(fastest.across, limit * 1.00001) << stage << part;
+      EXPECT_GT(fastest.across, 0.1 * limit) << stage << part;
+      if (part == "total")
+        EXPECT_LE(fastest.total, limit * 1.00001) << stage;
+      else
+        EXPECT_GT(fastest.total, 1.2 * limit) << stage;
+    }
+  }
 }
 
 // --- What can be chosen -------------------------------------------------------------------------
