@@ -5,13 +5,6 @@ namespace spherocylinder {
 
 namespace {
 
-ClosestPoints pair_at(const Segment &i, double s, const Segment &j, double t)
-{
-  // Not at(s) - at(t): far from the origin the difference of the centres comes first.
-  const Vec3 delta = (i.centre - j.centre) + s * i.axis - t * j.axis;
-  return {s, t, delta, norm_squared(delta)};
-}
-
 void keep_nearer(ClosestPoints &best, const ClosestPoints &candidate)
 {
   if (candidate.distance_squared < best.distance_squared) best = candidate;
@@ -19,12 +12,12 @@ void keep_nearer(ClosestPoints &best, const ClosestPoints &candidate)
 
 ClosestPoints end_of_i(const Segment &i, double s, const Segment &j)
 {
-  return pair_at(i, s, j, closest_position(j, i.at(s)));
+  return points_at(i, s, j, closest_position(j, i.at(s)));
 }
 
 ClosestPoints end_of_j(const Segment &i, const Segment &j, double t)
 {
-  return pair_at(i, closest_position(i, j.at(t)), j, t);
+  return points_at(i, closest_position(i, j.at(t)), j, t);
 }
 
 ClosestPoints best_end(const Segment &i, const Segment &j)
@@ -60,7 +53,7 @@ ClosestPoints closest_points(const Segment &i, const Segment &j)
     // Projecting onto the partner keeps the pair at the bottom of that valley.
     const double t = closest_position(j, i.at(s_scaled / determinant));
     const double s = closest_position(i, j.at(t));
-    return pair_at(i, s, j, t);
+    return points_at(i, s, j, t);
   }
 
   // The minimum on the rim is on a side that the critical point lies beyond: from any other side

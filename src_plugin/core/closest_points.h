@@ -23,6 +23,14 @@ struct ClosestPoints {
 // Of equally near pairs (parallel rods side by side) one at an end is returned.
 ClosestPoints closest_points(const Segment &i, const Segment &j);
 
+// The points at s on i and at t on j, whatever they are.
+inline ClosestPoints points_at(const Segment &i, double s, const Segment &j, double t)
+{
+  // Not at(s) - at(t): far from the origin the difference of the centres comes first.
+  const Vec3 delta = (i.centre - j.centre) + s * i.axis - t * j.axis;
+  return {s, t, delta, norm_squared(delta)};
+}
+
 // Rounding of the critical point's coordinates times the determinant: a few epsilon of a few products
 // of unit vectors and |between|. Nearer to the rectangle's rim than this, all four ends are asked.
 constexpr double kClosestPointsRounding = 16.0 * 2.3e-16;

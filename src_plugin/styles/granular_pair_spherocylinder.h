@@ -13,6 +13,7 @@
 #include "comm.h"
 #include "compute_gran_local_spherocylinder.h"
 #include "core/contact_kinematics.h"
+#include "core/five_step_search.h"
 #include "false_histories.h"
 #include "force.h"
 #include "granular_pair_style.h"
@@ -66,15 +67,24 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
     model_.registerSettings(settings);
     slider_.register_settings(model_, settings);
     settings.registerOnOff("spread_contact", spread_contact_, true);
+    settings.registerOnOff("effective_mass", effective_mass_, true);
     bool sudden_overlap = false;
     settings.registerOnOff("sudden_overlap", sudden_overlap, false);
-    std::vector<char *> others = args_without_close_skin(lmp, nargs, args, close_skin_);
+    SearchKeywords search;
+    std::vector<char *> others = args_without_search(lmp, nargs, args, search);
     const int n_others = static_cast<int>(others.size());
     const bool understood = settings.parseArguments(n_others, others.data());
     model_.postSettings(hsetup);
     if (!understood) error->all(FLERR, settings.error_message.c_str());
     batched_ = BatchedLinear<ContactModel>::value && linear_.values().understand(n_others, others.data());
     sudden_overlaps_.allow(sudden_overlap);
+    close_skin_ = search.close_skin;
+    if (!search.five_step)
+      touching_pairs_.search_by(spherocylinder::closest_points);
+    else if (spread_contact_)  // which goes by the closest points
+      touching_pairs_.search_by(spherocylinder::closest_points_in_five_steps);
+    else
+      touching_pairs_.search_by(spherocylinder::five_step_points);
     has_settings_ = true;
   }
 
@@ -139,6 +149,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   ContactModel model_;
   ContactMonitor monitor_;
   bool spread_contact_ = true;  // continuous rule for nearly parallel rods
+  bool effective_mass_ = true;  // of damping: that of the contact, else of the rods' masses
   bool has_tangential_ = false;
   double close_skin_ = 0.0;    // of the close pairs (m), 0: chosen automatically
   int highest_type_ = 0;       // that material properties are there for
@@ -165,6 +176,7 @@ class GranularSpherocylinder : private Pointers, public IGranularPairStyle {
   void read_rod(int i);
   void read_rods(bool all);
   void read_masses(int frozen_bit);
+  spherocylinder::InverseInertia inverse_inertia(int i) const;
   bool single_contacts_wanted(PairGran &pair) const;
   void compute_each(PairGran &pair, int **first_flags, double **first_history,
                     ComputeGranLocalSpherocylinder *local);
@@ -250,10 +262,18 @@ void GranularSpherocylinder<ContactModel>::read_masses(int frozen_bit)
   for (int i = 0; i < nall; i++) {
     const bool frozen = atom->mask[i] & frozen_bit;
     motions_[i].inverse = {frozen ? 0.0 : 1.0 / atom->rmass[i],
-                           frozen ? 0.0 : 1.0 / atom->inertia[i][0],
+                           frozen || !effective_mass_ ? 0.0 : 1.0 / atom->inertia[i][0],
                            (atom->mask[i] & driven_bits) != 0};
     kinds_.add(atom->type[i], rods_[i], motions_[i].inverse);
   }
+}
+
+// What rod i gives way by, whatever its damping goes by.
+template <typename ContactModel>
+spherocylinder::InverseInertia GranularSpherocylinder<ContactModel>::inverse_inertia(int i) const
+{
+  const double mass = motions_[i].inverse.mass;
+  return {mass, mass == 0.0 ? 0.0 : 1.0 / atom->inertia[i][0]};
 }
 
 template <typename ContactModel>
@@ -393,9 +413,9 @@ void GranularSpherocylinder<ContactModel>::compute_each(PairGran &pair, int **fi
     monitor_.look(i, j, sidata.kn, sidata.meff, sidata.deltan, reach);
     if (rates) {
       const double kt = has_tangential_ ? sidata.kt : 0.0;
-      rates->add(i, 2.0, sidata.kn, kt, motion_i.inverse, 1.0 / atom->inertia[i][2],
+      rates->add(i, 2.0, sidata.kn, kt, inverse_inertia(i), 1.0 / atom->inertia[i][2],
                  rod_i.segment.axis, arm_i, sidata.cri, normal);
-      rates->add(j, 2.0, sidata.kn, kt, motion_j.inverse, 1.0 / atom->inertia[j][2],
+      rates->add(j, 2.0, sidata.kn, kt, inverse_inertia(j), 1.0 / atom->inertia[j][2],
                  rod_j.segment.axis, arm_j, sidata.crj, -normal);
     }
 

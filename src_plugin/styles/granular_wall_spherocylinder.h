@@ -46,14 +46,15 @@ class GranularSpherocylinder : private Pointers, public RodWall {
                     parent_->id);
     // A wall may be given the pair style's keywords.
     bool spread_contact = true, sudden_overlap = false;
-    double close_skin = 0.0;
-    std::vector<char *> others = args_without_close_skin(lmp, nargs, args, close_skin);
+    SearchKeywords search;
+    std::vector<char *> others = args_without_search(lmp, nargs, args, search);
     const int n_others = static_cast<int>(others.size());
     for (ContactModel &model : models_) {
       Settings settings(lmp);
       model.registerSettings(settings);
       slider_.register_settings(model, settings);
       settings.registerOnOff("spread_contact", spread_contact, true);
+      settings.registerOnOff("effective_mass", effective_mass_, true);
       settings.registerOnOff("sudden_overlap", sudden_overlap, false);
       const bool understood = settings.parseArguments(n_others, others.data());
       model.postSettings(hsetup);
@@ -97,6 +98,7 @@ class GranularSpherocylinder : private Pointers, public RodWall {
   FixWallGran *parent_;
   ContactModel models_[2];  // one an end
   ContactMonitor monitor_;
+  bool effective_mass_ = true;  // of damping: that of the contact, else the rod's mass
   bool has_tangential_ = false;
 
   LinearSlider slider_;
@@ -194,7 +196,9 @@ void GranularSpherocylinder<ContactModel>::compute_rod(FixWallGran &fix, const M
   ForceData total;
   double normal_force = 0.0;
   const InverseInertia inverse = {1.0 / atom->rmass[i], 1.0 / atom->inertia[i][0]};
-  const double coupling = coupling_of_ends(ends, rod.radius, inverse);
+  const double turning = effective_mass_ ? 1.0 : 0.0;  // that damping knows of
+  const InverseInertia damped = {inverse.mass, turning * inverse.transverse};
+  const double coupling = turning * coupling_of_ends(ends, rod.radius, inverse);
   for (int k = 0; k < ends.count; k++) {
     const Vec3 &arm = ends.arms[k];
     const EndContact &contact = ends.contacts[k];
@@ -211,7 +215,7 @@ void GranularSpherocylinder<ContactModel>::compute_rod(FixWallGran &fix, const M
     sidata.crj = 0.0;
     store(contact.normal, sidata.en);
     store(contact.distance * contact.normal, sidata.delta);
-    sidata.meff = 1.0 / (inverse_effective_mass(inverse, arm, contact.normal) + coupling);
+    sidata.meff = 1.0 / (inverse_effective_mass(damped, arm, contact.normal) + coupling);
     store(velocity_half_a_step_ago(load(atom->v[i]), load(atom->omega[i]), arm, update->dt),
           end_velocity);
     store(wall.velocity_at(contact, rod.segment.centre + arm), end_wall_velocity);

@@ -14,6 +14,7 @@ bool LinearModelValues::understand(int nargs, char **args)
 {
   law.tangential_damping = true;
   law.limit_force = aspect_scaling = false;
+  effective_mass = true;
   law.slider = SliderLimits::WholeForce;
   for (int k = 0; k + 1 < nargs; k += 2) {
     const bool on = strcmp(args[k + 1], "on") == 0;
@@ -25,6 +26,8 @@ bool LinearModelValues::understand(int nargs, char **args)
       law.slider = on ? SliderLimits::WholeForce : SliderLimits::SpringAlone;
     else if (strcmp(args[k], "aspect_scaling") == 0)
       aspect_scaling = on;
+    else if (strcmp(args[k], "effective_mass") == 0)
+      effective_mass = on;
     else if (strcmp(args[k], "spread_contact") != 0 && strcmp(args[k], "sudden_overlap") != 0)
       return false;
   }

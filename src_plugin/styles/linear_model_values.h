@@ -14,6 +14,7 @@ struct LinearModelValues {
   spherocylinder::LinearLaw law{spherocylinder::Tangential::Off, true, false,
                                 spherocylinder::SliderLimits::WholeForce, 0.0};
   bool aspect_scaling = false;
+  bool effective_mass = true;  // of damping: that of the contact, else of the rods' masses
 
   // Keywords behind the models. False if one of them needs the models themselves.
   bool understand(int nargs, char **args);

@@ -21,7 +21,8 @@ class PairGran;
 // What a contact needs of a rod's motion.
 struct RodMotion {
   spherocylinder::Vec3 velocity, omega;
-  spherocylinder::InverseInertia inverse;  // zero for a frozen rod
+  // Of the effective mass: zero for a frozen rod, its turning zero with effective_mass off.
+  spherocylinder::InverseInertia inverse;
 };
 
 // Where a pair's history keeps the remembered normal and the tangential spring, -1 if it does not.

@@ -95,6 +95,7 @@ void LinearWallForces::compute(FixWallGran &fix, const MovingWall &wall,
   const auto &style = static_cast<const AtomVecSpherocylinder &>(*atom->avec);
   const int wall_type = fix.atom_type_wall();
   values_.law.dt = update->dt;  // a fix may change it during a run
+  const double turning = values_.effective_mass ? 1.0 : 0.0;  // that damping knows of
 
   for (const int i : rods) {
     const Capsule rod = style.capsule(i);
@@ -107,8 +108,8 @@ void LinearWallForces::compute(FixWallGran &fix, const MovingWall &wall,
       if (history) std::fill_n(history[i], kSpring * ends.count, 0.0);
       continue;
     }
-    const InverseInertia inverse = {1.0 / atom->rmass[i], 1.0 / atom->inertia[i][0]};
-    const double coupling = coupling_of_ends(ends, rod.radius, inverse);
+    const InverseInertia inverse = {1.0 / atom->rmass[i], turning / atom->inertia[i][0]};
+    const double coupling = turning * coupling_of_ends(ends, rod.radius, inverse);
     for (int end = 0; end < ends.count; end++) {
       const EndContact &contact = ends.contacts[end];
       double *spring = history ? history[i] + kSpring * end : nullptr;

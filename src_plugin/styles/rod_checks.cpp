@@ -101,23 +101,35 @@ AtomVecSpherocylinder &LAMMPS_NS::rods_of(LAMMPS *lmp, const char *who)
   return *rods;
 }
 
-std::vector<char *> LAMMPS_NS::args_without_close_skin(LAMMPS *lmp, int nargs, char **args,
-                                                       double &close_skin)
+// A length (m), or 0 for `auto`.
+static double close_skin_of(LAMMPS *lmp, const char *value)
+{
+  if (strcmp(value, "auto") == 0) return 0.0;
+  char *end = nullptr;
+  const double skin = strtod(value, &end);
+  if (*end != '\0' || !(skin > 0.0) || !std::isfinite(skin))
+    rod_error_all(lmp, "Surface spherocylinder: close_skin must be auto or a length > 0 (got %s)", value);
+  return skin;
+}
+
+std::vector<char *> LAMMPS_NS::args_without_search(LAMMPS *lmp, int nargs, char **args,
+                                                   SearchKeywords &search)
 {
   std::vector<char *> others;
-  close_skin = 0.0;
+  search = SearchKeywords();
   for (int k = 0; k < nargs; k++) {
-    if (strcmp(args[k], "close_skin") != 0) {
+    const bool is_skin = strcmp(args[k], "close_skin") == 0;
+    if (!is_skin && strcmp(args[k], "search") != 0) {
       others.push_back(args[k]);
       continue;
     }
     const char *value = ++k < nargs ? args[k] : "nothing";
-    if (strcmp(value, "auto") == 0) continue;
-    char *end = nullptr;
-    close_skin = strtod(value, &end);
-    if (*end != '\0' || !(close_skin > 0.0) || !std::isfinite(close_skin))
-      rod_error_all(lmp,
-                    "Surface spherocylinder: close_skin must be auto or a length > 0 (got %s)", value);
+    if (is_skin)
+      search.close_skin = close_skin_of(lmp, value);
+    else if (strcmp(value, "five_step") == 0 || strcmp(value, "exact") == 0)
+      search.five_step = value[0] == 'f';
+    else
+      rod_error_all(lmp, "Surface spherocylinder: search must be exact or five_step (got %s)", value);
   }
   // Every keyword has one value; LIGGGHTS's reader takes it for granted.
   if (others.size() % 2 == 1)

@@ -26,10 +26,14 @@ constexpr double kQuaternionTolerance = 1e-3;
 // The rods' atom style, or an error that names `who` if the simulation has another one.
 AtomVecSpherocylinder &rods_of(LAMMPS *lmp, const char *who);
 
-// Arguments of a pair style or wall without the keyword close_skin, whose value, a length (m) or
-// `auto` (0), goes to close_skin.
-std::vector<char *> args_without_close_skin(LAMMPS *lmp, int nargs, char **args,
-                                            double &close_skin);
+// How a pair style finds its contacts: values of keywords that are no on or off.
+struct SearchKeywords {
+  double close_skin = 0.0;  // a length (m), 0 for `auto`
+  bool five_step = false;   // search five_step
+};
+
+// Arguments of a pair style or wall without these keywords.
+std::vector<char *> args_without_search(LAMMPS *lmp, int nargs, char **args, SearchKeywords &search);
 
 void check_atom_style_is_alone(LAMMPS *lmp);
 

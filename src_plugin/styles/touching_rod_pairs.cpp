@@ -24,7 +24,7 @@ void TouchingRodPairs::find(const std::vector<CloseRodPairs::Entry> &close,
       const Capsule &first = rods[swapped[k] ? j : i], &second = rods[swapped[k] ? i : j];
       batch_.set(k, first.segment, second.segment, first.radius + second.radius);
     }
-    closest_points(batch_);
+    search_(batch_);
 
     for (int k = 0; k < count; k++) {
       const CloseRodPairs::Entry &entry = entries[k];

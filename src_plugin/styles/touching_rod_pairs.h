@@ -19,6 +19,10 @@ class TouchingRodPairs {
     bool nearly_parallel;                  // spread_contact may move the contact
   };
 
+  // core/closest_points_batch.h, or what misses some of the contacts.
+  using Search = void (*)(spherocylinder::SegmentPairs &);
+  void search_by(Search search) { search_ = search; }
+
   // `contact_flags`: of LIGGGHTS's history list, null without one.
   void find(const std::vector<CloseRodPairs::Entry> &close,
             const std::vector<spherocylinder::Capsule> &rods, const int *tag, int **contact_flags);
@@ -29,6 +33,7 @@ class TouchingRodPairs {
   const std::vector<CloseRodPairs::Entry> &parted() const { return parted_; }
 
  private:
+  Search search_ = spherocylinder::closest_points;
   spherocylinder::SegmentPairs batch_{};
   std::vector<Touch> touching_;
   std::vector<CloseRodPairs::Entry> parted_;

@@ -34,15 +34,19 @@ double inverse_mass(const Rod &rod, const Vec3 &arm)
   return 1.0 / p.mass + norm_squared(cross(arm, Vec3{0.0, 0.0, 1.0})) / p.inertia_transverse;
 }
 
+double inverse_effective_mass(const Impact &impact, Partner partner)
+{
+  const double of_rod = inverse_mass(impact.rod, lower_end(impact.rod));
+  if (partner == Partner::Wall) return of_rod;
+  return of_rod + inverse_mass(impact.partner, struck_point(impact.partner));
+}
+
 // pi sqrt(m_eff/k) / sqrt(1 - beta^2), beta = -ln e / sqrt(pi^2 + ln^2 e)
 double contact_time(const Impact &impact, Partner partner)
 {
   const double pi = std::acos(-1.0), log_e = std::log(impact.restitution);
-  double inverse = inverse_mass(impact.rod, lower_end(impact.rod));
-  if (partner == Partner::Rod)
-    inverse += inverse_mass(impact.partner, struck_point(impact.partner));
   const double root = pi / std::hypot(pi, log_e);  // sqrt(1 - beta^2)
-  return pi / std::sqrt(kStiffness * inverse) / root;
+  return pi / std::sqrt(kStiffness * inverse_effective_mass(impact, partner)) / root;
 }
 
 std::vector<Impact> impacts_of(const ImpactSet &set)
@@ -106,9 +110,11 @@ Scene scene_of(const std::vector<Impact> &impacts, const ImpactSet &set)
   scene.physics = pair_property("kn", scene.types, kStiffness) +
                   pair_property("kt", scene.types, kStiffness) +
                   pair_property("coefficientRestitution", scene.types, restitution) +
-                  rod_pair("linear tangential off") + "fix motion all nve/spherocylinder\n";
+                  rod_pair("linear tangential off", set.keywords) +
+                  "fix motion all nve/spherocylinder\n";
   if (set.partner == Partner::Wall)
-    scene.physics += rod_wall("floor", "linear tangential off", "type 1 zplane 0.0");
+    scene.physics +=
+        rod_wall("floor", "linear tangential off", "type 1 zplane 0.0 " + set.keywords);
   return scene;
 }
 
@@ -138,8 +144,10 @@ std::vector<MeasuredRestitution> measure_restitution(const ImpactSet &set)
     double velocity = end_velocity(rod, lower_end(rod));
     if (set.partner == Partner::Rod)
       velocity -= end_velocity(after[2 * k + 1], struck_point(after[2 * k + 1]));
-    measured.push_back(
-        {impacts[k].restitution, impacts[k].elevation, dt / times[k], velocity / kApproach});
+    const double particles = set.partner == Partner::Rod ? 0.5 * rod.mass() : rod.mass();
+    measured.push_back({impacts[k].restitution, impacts[k].elevation, dt / times[k],
+                        velocity / kApproach,
+                        particles * inverse_effective_mass(impacts[k], set.partner)});
   }
   return measured;
 }

@@ -2,6 +2,7 @@
 // Frictionless impacts off the centre, many in one deck, and the restitution each shows.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene.h"
@@ -16,6 +17,7 @@ struct ImpactSet {
   std::vector<double> restitutions;
   std::vector<double> elevations;  // of the rod that comes down on one end, degrees
   int steps_per_contact = 800;     // of the shortest contact of the set
+  std::string keywords;            // of pair style and wall
 };
 
 struct MeasuredRestitution {
@@ -23,6 +25,7 @@ struct MeasuredRestitution {
   double elevation = 0.0;        // degrees
   double dt_over_contact = 0.0;  // time step / duration of this contact
   double measured = 0.0;         // normal velocity of the contact point after / before
+  double mass_ratio = 1.0;       // mass of the rods (m, or m/2 of two) / effective mass at the contact
   double error() const;          // |measured - wanted| / wanted
 };
 

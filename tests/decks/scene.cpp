@@ -211,9 +211,10 @@ std::string linear_material(double kn, double kt, double restitution, double fri
          pair_property("coefficientFriction", types, friction);
 }
 
-std::string rod_pair(const std::string &models)
+std::string rod_pair(const std::string &models, const std::string &keywords)
 {
-  return fmt::format("pair_style gran model {} surface spherocylinder\npair_coeff * *\n", models);
+  return fmt::format("pair_style gran model {} surface spherocylinder {}\npair_coeff * *\n", models,
+                     keywords);
 }
 
 std::string rod_wall(const std::string &id, const std::string &models, const std::string &primitive)

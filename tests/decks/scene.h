@@ -93,8 +93,8 @@ std::string pair_property(const std::string &name, int types, double value);
 std::string linear_material(double kn, double kt, double restitution, double friction,
                             int types = 1);
 
-// The pair style of rods with these models ("linear tangential history").
-std::string rod_pair(const std::string &models);
+// The pair style of rods with these models ("linear tangential history") and keywords.
+std::string rod_pair(const std::string &models, const std::string &keywords = "");
 
 // A wall of rods: `primitive` is "type 1 zplane 0.0" and the like.
 std::string rod_wall(const std::string &id, const std::string &models,

@@ -181,8 +181,21 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"AspectScaling", "history", "aspect_scaling on"},
                     Case{"LimitForce", "history", "limitForce on"},
                     Case{"WithoutTangentialDamping", "history", "tangential_damping off"},
-                    Case{"AtTheClosestPoint", "history", "spread_contact off"}),
+                    Case{"AtTheClosestPoint", "history", "spread_contact off"},
+                    Case{"ParticleMass", "history", "effective_mass off"},
+                    Case{"FiveSteps", "history", "search five_step sudden_overlap on"},
+                    Case{"FiveStepsAtTheClosestPoint", "history",
+                         "search five_step spread_contact off sudden_overlap on"}),
     [](const auto &info) { return std::string(info.param.name); });
+
+// To the last bit.
+TEST(BatchedForcesKeywords, NamedDefaultsAreTheDefaults)
+{
+  const std::string named = "search exact effective_mass on spread_contact on";
+  EXPECT_EQ(largest_difference(run_heap("history", "", Loop::Batched),
+                               run_heap("history", named, Loop::Batched)),
+            0.0);
+}
 
 // The border cuts the heap in the middle.
 TEST(BatchedForcesOnRanks, SameMotionOnTwo)

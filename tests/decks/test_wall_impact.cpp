@@ -48,15 +48,39 @@ void add_impulse(Rod &rod, double restitution)
 }
 
 // A floor without friction at z = 0, stiffness 1e6 N/m; a restitution for each atom type.
-std::string smooth_floor(const std::vector<double> &restitutions)
+std::string smooth_floor(const std::vector<double> &restitutions, const std::string &keywords = "")
 {
   const int types = static_cast<int>(restitutions.size());
   return pair_property("kn", types, 1e6) + pair_property("kt", types, 1e6) +
          pair_property("coefficientRestitution", types,
                        [&](int i, int j) { return restitutions[std::max(i, j) - 1]; }) +
          rod_pair("linear tangential off") +
-         rod_wall("floor", "linear tangential off", "type 1 zplane 0.0") +
+         rod_wall("floor", "linear tangential off", "type 1 zplane 0.0 " + keywords) +
          "fix motion all nve/spherocylinder\n";
+}
+
+const std::vector<double> kRestitutions = {1.0, 0.9, 0.5, 0.2};
+
+// Flat rods of four lengths and these restitutions above the floor.
+Scene flat_rods(const std::string &keywords)
+{
+  Scene scene;
+  scene.types = 4;
+  scene.box_lo[2] = -0.1;
+  for (const double ratio : {1.5, 3.0, 10.0, 30.0})
+    for (int type = 1; type <= 4; type++) {
+      Rod rod;
+      rod.type = type;
+      rod.length = ratio * rod.diameter;
+      rod.velocity.z = -kApproach;
+      rod.position = {-0.5, -0.9 + 0.1 * static_cast<double>(scene.rods.size()),
+                      rod.radius() + kGap};
+      scene.rods.push_back(rod);
+    }
+  scene.physics = smooth_floor(kRestitutions, keywords);
+  scene.dt = 3e-8;
+  scene.steps = 40000;
+  return scene;
 }
 
 double difference(const Rod &got, const Rod &wanted)
@@ -192,32 +216,34 @@ TEST_P(WallImpact, EndAgainstTheInsideOfACylinder)
 // parts with e times its speed of approach and does not turn.
 TEST_P(WallImpact, FlatLanding)
 {
-  const std::vector<double> restitutions = {1.0, 0.9, 0.5, 0.2};
-  Scene scene;
-  scene.types = 4;
-  scene.box_lo[2] = -0.1;
-  for (const double ratio : {1.5, 3.0, 10.0, 30.0})
-    for (int type = 1; type <= 4; type++) {
-      Rod rod;
-      rod.type = type;
-      rod.length = ratio * rod.diameter;
-      rod.velocity.z = -kApproach;
-      rod.position = {-0.5, -0.9 + 0.1 * static_cast<double>(scene.rods.size()),
-                      rod.radius() + kGap};
-      scene.rods.push_back(rod);
-    }
-  scene.physics = smooth_floor(restitutions);
-  scene.dt = 3e-8;
-  scene.steps = 40000;
-
+  const Scene scene = flat_rods("");
   const std::vector<Rod> after = run(scene, GetParam()).back().rods;
   double error = 0.0;
   for (size_t i = 0; i < scene.rods.size(); i++) {
     Rod wanted = scene.rods[i];
-    wanted.velocity.z = kApproach * restitutions[wanted.type - 1];
+    wanted.velocity.z = kApproach * kRestitutions[wanted.type - 1];
     error = std::max(error, difference(after[i], wanted));
   }
   expect_holds({"Flat landing on both ends, 16 rods: speed, / approach", "e", kImpactTolerance},
+               error);
+}
+
+// With effective_mass off each end has a dashpot 2 beta sqrt(k m): two of them on 2 k and m have the
+// damping ratio z = beta sqrt(2), and the rod parts with exp(-pi z/sqrt(1 - z^2)).
+TEST_P(WallImpact, FlatLandingDampedByMass)
+{
+  const Scene scene = flat_rods("effective_mass off");
+  const std::vector<Rod> after = run(scene, GetParam()).back().rods;
+  double error = 0.0;
+  for (size_t i = 0; i < scene.rods.size(); i++) {
+    Rod wanted = scene.rods[i];
+    const double pi = std::acos(-1.0), log_e = std::log(kRestitutions[wanted.type - 1]);
+    const double z = std::sqrt(2.0) * -log_e / std::hypot(pi, log_e);
+    wanted.velocity.z = kApproach * std::exp(-pi * z / std::sqrt(1.0 - z * z));
+    error = std::max(error, difference(after[i], wanted));
+  }
+  expect_holds({"Flat landing with effective_mass off: speed, / approach",
+                "exp(-pi z/sqrt(1 - z^2)), z = beta sqrt(2)", kImpactTolerance},
                error);
 }
 
