@@ -32,11 +32,16 @@ def number(value: float) -> str:
     return f"{value:g}" if value else "none"
 
 
+def largest_step(part: pandas.DataFrame) -> str:
+    """A dash where there is no bed."""
+    return "–" if part.empty else number(stands_up_to(part))
+
+
 def step_lines(beds: pandas.DataFrame) -> list[list[str]]:
     """A line a method: the largest step that each λ stands."""
     part = beds[beds["map"] == "steps"]
     aspects = sorted(part["lambda"].unique())
-    return [[title_of(method)] + [number(stands_up_to(rows[rows["lambda"] == a])) for a in aspects]
+    return [[title_of(method)] + [largest_step(rows[rows["lambda"] == a]) for a in aspects]
             for method, rows in part.groupby("method", sort=False)]
 
 
@@ -49,8 +54,9 @@ def energy_lines(beds: pandas.DataFrame, name: str) -> list[list[str]]:
         cells = [f"{step:g}"]
         for a in aspects:
             cell = rows[rows["lambda"] == a]
-            state = worst(cell["state"])
-            cells.append(f"{state}, {power(cell['kinetic'].max())}" if state != "lost" else state)
+            state = worst(cell["state"]) if len(cell) else "–"
+            moving = f", {power(cell['kinetic'].max())}" if state not in ("lost", "–") else ""
+            cells.append(state + moving)
         lines.append(cells)
     return lines
 
@@ -61,12 +67,28 @@ def remedy_lines(beds: pandas.DataFrame) -> list[list[str]]:
     lines = []
     for method, rows in part.groupby("method", sort=False):
         cells = [title_of(method)]
-        for _, cell in rows.groupby("fraction"):
+        for step in sorted(part["fraction"].unique()):
+            cell = rows[rows["fraction"] == step]
+            if cell.empty:
+                cells.append("–")
+                continue
             good = int(cell["state"].isin(STAND).sum())
             worse = worst(cell["state"])
             cells.append(f"{good} of {len(cell)}" + ("" if good == len(cell) else f", {worse}"))
         lines.append(cells)
     return lines
+
+
+def alone(beds: pandas.DataFrame) -> dict:
+    """Of the remedies: the step up to which rods as they are by default stand, and which single
+    remedies do as well, which not, and what stands with none."""
+    part = beds[beds["map"] == "remedies"]
+    up_to = {method: stands_up_to(rows) for method, rows in part.groupby("method", sort=False)}
+    ours, plain = up_to.pop("ours", 0.0), up_to.pop("plain", 0.0)
+    names = [(title_of(method).removeprefix("plain, "), step) for method, step in up_to.items()]
+    return {"ours": number(ours), "plain": number(plain),
+            "good": [name for name, step in names if 0 < ours <= step],
+            "bad": [f"{name} ({number(step)})" for name, step in names if step < ours]}
 
 
 def cost_lines(costs: pandas.DataFrame) -> list[list[str]]:
@@ -120,15 +142,6 @@ def slow_lines(slow: pandas.DataFrame) -> list[list[str]]:
     return lines
 
 
-def map_lines(beds: pandas.DataFrame, name: str, x: str, y: str) -> list[list[str]]:
-    """Of one map: a line a method and value of y, with the states along x."""
-    part = beds[beds["map"] == name]
-    xs = sorted(part[x].unique())
-    return [[title_of(method), f"{vy:g}"] +
-            [worst(rows[rows[x] == vx]["state"]) for vx in xs]
-            for (method, vy), rows in part.groupby(["method", y], sort=False)]
-
-
 def values_along(beds: pandas.DataFrame, name: str, x: str) -> list[str]:
     return [f"{v:g}" for v in sorted(beds[beds["map"] == name][x].unique())]
 
@@ -180,21 +193,17 @@ def values(tables: dict[str, pandas.DataFrame]) -> dict:
         "tall_ever": [tall[tall["state"] == "rests"]["overlap_ever"].min(),
                       tall[tall["state"] == "rests"]["overlap_ever"].max()],
         "remedy_lines": remedy_lines(beds),
+        "alone": alone(beds),
         "remedy_steps": values_along(beds, "remedies", "fraction"),
         "remedy_aspect": values_along(beds, "remedies", "lambda"),
         "cost_lines": cost_lines(costs), "hit_lines": hit_lines(hits),
         "spin_lines": spin_lines(spin), "slow_lines": slow_lines(slow),
         "slow_end": figure(slow["time_s"].max(), 3) if len(slow) else "–",
-        "damping_lines": map_lines(beds, "damping", "restitution", "fraction"),
-        "damping_along": values_along(beds, "damping", "restitution"),
-        "friction_lines": map_lines(beds, "friction", "lambda", "friction"),
-        "friction_along": values_along(beds, "friction", "lambda"),
         "deepest": deepest(beds), "glued_lines": glued_lines(beds),
         "stands": {"least": min(by_aspect, default=math.nan),
                    "bad": first_bad.min() if len(first_bad) else math.nan,
                    "worse": lost.min() if len(lost) else math.nan},
-        "stand": {method: number(stands_up_to(steps[steps["method"] == method]))
-                  if method in set(steps["method"]) else "not run" for method in METHODS},
+        "stand": {method: largest_step(steps[steps["method"] == method]) for method in METHODS},
         "whole_restitution": math.exp(-2 * math.pi * beta / math.sqrt(1 - 4 * beta ** 2)),
         # ½ k δ² over m g D at δ = D/10, k = 2·10⁴ λ N/m, of λ = 30.
         "free_energy": 0.5 * settling.STIFFNESS * 30 * (0.1 * settling.DIAMETER) ** 2

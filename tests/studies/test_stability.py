@@ -227,6 +227,21 @@ def test_largest_step_that_stands():
     assert page.stands_up_to(part) == 0.2
     assert page.stands_up_to(part[part["fraction"] > 0.2]) == 0
     assert figures.worst(part["state"]) == "jitters"
+    assert page.largest_step(part) == "0.2" and page.largest_step(part[:0]) == "–"
+
+
+def test_remedies_that_alone_do_as_well_as_all():
+    beds = pandas.DataFrame(
+        [{"map": "remedies", "method": method, "fraction": step, "state": state}
+         for method, states in (("plain", "gg"), ("plain+mass", "rg"), ("plain+search", "rr"),
+                                ("plain@4pi", "mm"), ("ours", "rr"))
+         for step, letter in zip((0.1, 0.2), states)
+         for state in [{"g": "grows", "r": "rests", "m": "moves"}[letter]]])
+    found = page.alone(beds)
+    assert (found["ours"], found["plain"]) == ("0.2", "none")
+    assert found["good"] == ["search exact", "limit 4π"]
+    assert found["bad"] == ["effective_mass on (0.1)"]
+    assert page.alone(beds[:0])["good"] == []
 
 
 def test_the_kept_page_is_that_of_the_kept_tables(study, tmp_path):
