@@ -184,3 +184,21 @@ def capsules_figure(table, theirs):
     axes.set(xlabel="aspect ratio λ", ylabel="solid fraction, densest disordered")
     axes.legend()
     return figure
+
+
+def shear_figure(table, theirs):
+    figure, axes = plots.new_figure(125, 85)
+    sheared = table[table["rate"] > 0]
+    for n, ((limits, aspect), kind) in enumerate(sheared.groupby(["limits", "lambda"])):
+        name = f"λ = {aspect:g}" + ("" if limits == "none" else ", limit on ω")
+        points(axes, kind["rate"], kind["alignment_deg"], kind["alignment_error"], color=CYCLE[n],
+               marker=MARKERS[n], label=name)
+        mean = kind["alignment_deg"].mean()
+        axes.plot([kind["rate"].min(), kind["rate"].max()], [mean, mean], color=CYCLE[n],
+                  linestyle=plots.DASHES[1], linewidth=1)
+    axes.text(0.02, 0.02, f"Börzsönyi et al.: level over {number(theirs, 'decades'):g} decades",
+              transform=axes.transAxes, fontsize=8)
+    axes.set(xscale="log", xlabel="shear rate of the layer (1/s)", ylim=(0, None),
+             ylabel="mean direction above the flow (degrees)")
+    axes.legend()
+    return figure

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 from pathlib import Path
 
 import numpy
@@ -13,26 +14,36 @@ RUN_OUT_PART = 0.9   # of the solid lies within the radius that tells the run-ou
 LOST = 1 / 3         # of its height a column has lost that has collapsed
 
 
-def read_frame(path: Path | str, items: str) -> pandas.DataFrame:
-    """The last frame of a dump, ATOMS or ENTRIES, with its own names of columns."""
-    text = Path(path).read_text()
+def read_frames(path: Path | str, items: str) -> list[pandas.DataFrame]:
+    """The frames of a dump, ATOMS or ENTRIES, with its own names of columns."""
     head = f"ITEM: {items} "
-    names, _, values = text[text.rindex(head) + len(head):].partition("\n")
-    return pandas.read_csv(io.StringIO(values), sep=r"\s+", names=names.split(),
-                           float_precision="round_trip")
+    frames = []
+    for part in Path(path).read_text().split(head)[1:]:
+        names, _, values = part.split("ITEM: TIMESTEP")[0].partition("\n")
+        frames.append(pandas.read_csv(io.StringIO(values), sep=r"\s+", names=names.split(),
+                                      float_precision="round_trip"))
+    return frames
 
 
-def read_rods(path: Path | str) -> pandas.DataFrame:
-    """Last frame of a dump, in the order of ids: x, y, z, radius, half (of the total length), axis
-    ux, uy, uz, and contacts where the dump has c_contacts."""
-    table = read_frame(path, "ATOMS").sort_values("id", ignore_index=True)
+def read_frame(path: Path | str, items: str) -> pandas.DataFrame:
+    """The last one."""
+    return read_frames(path, items)[-1]
+
+
+def read_rods(path: Path | str, every: bool = False) -> pandas.DataFrame:
+    """Last frame of a dump, or `every` one of them, told by `frame`: id, x, y, z, radius, half (of
+    the total length), axis ux, uy, uz, and contacts and vx where the dump has c_contacts and vx; by
+    ids in each frame."""
+    frames = read_frames(path, "ATOMS")
+    table = pandas.concat([frame.sort_values("id").assign(frame=k) for k, frame in
+                           enumerate(frames if every else frames[-1:])], ignore_index=True)
     w, i, j, k = (table[f"quat{n}"] for n in (1, 2, 3, 4))
-    rods = pandas.DataFrame({
-        "id": table["id"], "x": table["x"], "y": table["y"], "z": table["z"],
-        "radius": table["shapex"], "half": table["shapez"],
-        "ux": 2 * (i * k + w * j), "uy": 2 * (j * k - w * i), "uz": w * w - i * i - j * j + k * k})
-    if "c_contacts" in table:
-        rods["contacts"] = table["c_contacts"]
+    rods = table[["frame", "id", "x", "y", "z"]].assign(
+        radius=table["shapex"], half=table["shapez"],
+        ux=2 * (i * k + w * j), uy=2 * (j * k - w * i), uz=w * w - i * i - j * j + k * k)
+    for theirs, ours in (("c_contacts", "contacts"), ("vx", "vx")):
+        if theirs in table:
+            rods[ours] = table[theirs]
     return rods
 
 
@@ -91,13 +102,18 @@ def critical_heights(heights, collapsed, steps: int = 81) -> dict:
 
 def exponent(x, y) -> tuple[float, float]:
     """Of y ~ x^n by least squares of the logarithms, and its standard error."""
-    x, y = numpy.log(numpy.asarray(x, float)), numpy.log(numpy.asarray(y, float))
+    return slope(numpy.log(numpy.asarray(x, float)), numpy.log(numpy.asarray(y, float)))
+
+
+def slope(x, y) -> tuple[float, float]:
+    """Of the straight line by least squares, and its standard error; NaN of fewer than three."""
+    x, y = numpy.asarray(x, float), numpy.asarray(y, float)
     if x.size < 3 or numpy.ptp(x) == 0:
         return numpy.nan, numpy.nan
     off = x - x.mean()
-    slope = (off * y).sum() / (off ** 2).sum()
-    rest = y - y.mean() - slope * off
-    return float(slope), float(numpy.sqrt((rest ** 2).sum() / (x.size - 2) / (off ** 2).sum()))
+    rise = (off * y).sum() / (off ** 2).sum()
+    rest = y - y.mean() - rise * off
+    return float(rise), float(numpy.sqrt((rest ** 2).sum() / (x.size - 2) / (off ** 2).sum()))
 
 
 # --- Contacts. -----------------------------------------------------------------------------------
@@ -199,27 +215,18 @@ def order_beside_a_wall(distance_over_length):
     return numpy.minimum(1, 2 * numpy.asarray(distance_over_length, float)) - 1
 
 
-def order_layer(distance, order) -> float:
-    """Twice the integral of -order over a length from the wall: where it ends if it falls evenly
-    from 1 at the wall, 1/2 by order_beside_a_wall. Bins without rods are as their neighbours."""
-    distance, order = numpy.asarray(distance, float), numpy.asarray(order, float)
-    known = numpy.isfinite(order)
-    x = (numpy.arange(200) + 0.5) / 200
-    return float(-2 * numpy.interp(x, distance[known], order[known]).mean())
-
-
-def layer(distance, fraction, core_from: float, part: float = 0.95) -> tuple[float, float]:
-    """How far from the wall the solid fraction first reaches `part` of that of the core, which lies
-    at `core_from` and beyond; and that of the core. Straight between the middles of bins."""
-    distance, fraction = numpy.asarray(distance, float), numpy.asarray(fraction, float)
-    core = float(fraction[distance >= core_from].mean())
-    wanted = part * core
-    first = int(numpy.argmax(fraction >= wanted))
-    if first == 0:
-        return float(distance[0]), core
-    a, b = fraction[first - 1], fraction[first]
-    step = distance[first] - distance[first - 1]
-    return float(distance[first - 1] + step * (wanted - a) / (b - a)), core
+def first_reached(distance, value, wanted: float) -> float:
+    """Where a profile first reaches a value, straight between the middles of bins; the first bin's
+    middle if that does. Bins without a value are left out; NaN if none reaches it."""
+    distance, value = numpy.asarray(distance, float), numpy.asarray(value, float)
+    known = numpy.isfinite(value)
+    distance, value = distance[known], value[known]
+    if not (value >= wanted).any():
+        return numpy.nan
+    at = int(numpy.argmax(value >= wanted))
+    if at == 0:
+        return float(distance[0])
+    return float(numpy.interp(wanted, value[at - 1:at + 1], distance[at - 1:at + 1]))
 
 
 # --- Dense packings. -----------------------------------------------------------------------------
@@ -231,5 +238,16 @@ def jammed(solid_fraction, overlap_sum, low: float, high: float) -> float:
     chosen = (overlap_sum >= low) & (overlap_sum <= high)
     if chosen.sum() < 3:
         return numpy.nan
-    slope, start = numpy.polyfit(solid_fraction[chosen], overlap_sum[chosen], 1)
-    return float(-start / slope)
+    rise, start = numpy.polyfit(solid_fraction[chosen], overlap_sum[chosen], 1)
+    return float(-start / rise)
+
+
+# --- Shear. --------------------------------------------------------------------------------------
+
+def alignment(rods: pandas.DataFrame) -> tuple[float, float]:
+    """Angle of the mean direction of the axes, as seen along y, from x towards z (degrees, -90 to
+    90); and the order about it in that plane, 1 if all are seen under one angle."""
+    along = float((rods["ux"] ** 2 - rods["uz"] ** 2).mean())
+    across = float((2 * rods["ux"] * rods["uz"]).mean())
+    seen = float((rods["ux"] ** 2 + rods["uz"] ** 2).mean())
+    return math.degrees(0.5 * math.atan2(across, along)), math.hypot(along, across) / seen

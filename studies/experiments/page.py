@@ -12,6 +12,7 @@ from studies.common import pages, rows, statistics
 from studies.experiments import measures
 
 FEW_CONTACTS, MANY_CONTACTS = 4, 10   # a rod in the bulk, by counting: with friction, without
+NEAR_CORE, LAST_ORDER = 0.95, 0.1     # where a wall's layer ends
 BREAKS = (1.0, 1.5, 2.0)              # of the law of the run-out, height over radius
 BINS = numpy.arange(0, 2.01, 0.2)     # of the heights for a figure
 
@@ -81,15 +82,16 @@ def wall_profile(table: pandas.DataFrame, aspect: float, kind: str) -> pandas.Da
 
 
 def layers(table: pandas.DataFrame) -> list[dict]:
-    """Of each aspect ratio: where V_f first reaches 95 % of the core's, which begins a length off
-    the wall, and where the order ends."""
+    """Of each aspect ratio: where V_f first reaches NEAR_CORE of the core's, which begins a length
+    off the wall, and where the order is down to LAST_ORDER."""
     found = []
     for (aspect, seed), bed in table.sort_values("distance").groupby(["lambda", "seed"]):
         kinds = {kind: rows_of for kind, rows_of in bed.groupby("kind")}
         fractions, order = kinds["vf"], kinds["radial_order"]
-        layer, core = measures.layer(fractions["distance"], fractions["value"], 1.0)
-        found.append({"lambda": aspect, "layer": layer, "core": core,
-                      "order_layer": measures.order_layer(order["distance"], order["value"])})
+        core = fractions.loc[fractions["distance"] >= 1, "value"].mean()
+        found.append({"lambda": aspect, "core": core, "layer": measures.first_reached(
+            fractions["distance"], fractions["value"], NEAR_CORE * core),
+            "order_layer": measures.first_reached(order["distance"], order["value"], -LAST_ORDER)})
     return means(pandas.DataFrame(found), ["lambda"],
                  ["layer", "core", "order_layer"]).to_dict("records")
 
@@ -208,6 +210,28 @@ def capsules_rows(table: pandas.DataFrame) -> list[list[str]]:
             for row in capsules(table).to_dict("records")]
 
 
+# --- Shear. --------------------------------------------------------------------------------------
+
+def shear(table: pandas.DataFrame) -> list[dict]:
+    """For each kind of rods: layers, range of their rates, mean angle, slope over the decades of
+    the rate, mean order. Layers that do not shear are left out."""
+    found = []
+    for (limits, aspect), kind in table[table["rate"] > 0].groupby(["limits", "lambda"]):
+        found.append({"limits": limits, "lambda": aspect, "layers": len(kind),
+                      "slowest": kind["rate"].min(), "fastest": kind["rate"].max(),
+                      "alignment": statistics.mean_and_error(kind["alignment_deg"]),
+                      "slope": measures.slope(numpy.log10(kind["rate"]), kind["alignment_deg"]),
+                      "order": statistics.mean_and_error(kind["order"])})
+    return found
+
+
+def shear_rows(table: pandas.DataFrame) -> list[list[str]]:
+    return [[f"{row['lambda']:g}", row["limits"], row["layers"],
+             f"{row['slowest']:.2g} to {row['fastest']:.2g}", pages.with_error(row["alignment"], 1),
+             pages.with_error(row["slope"], 1), pages.with_error(row["order"], 2)]
+            for row in shear(table)]
+
+
 # --- The page. -----------------------------------------------------------------------------------
 
 def words(items, last: str = " and ") -> str:
@@ -228,9 +252,11 @@ def values(tables: dict[str, str], literature: Path | str) -> dict:
                         row["printed"], row["not_printed"], row["source"]]
                        for row in published.fillna({"not_printed": ""}).to_dict("records")],
         "theirs": theirs,
-        "lost": measures.LOST, "part": measures.RUN_OUT_PART}
+        "near_core": NEAR_CORE, "last_order": LAST_ORDER,
+        "geometry": (1 - LAST_ORDER) / 2, "lost": measures.LOST, "part": measures.RUN_OUT_PART}
     read = {name: rows.read_rows(path) for name, path in tables.items()}
-    told |= {name: None for name in ("contacts", "wall", "collapse", "standing", "capsules")}
+    told |= {name: None for name in ("contacts", "wall", "collapse", "standing", "capsules",
+                                  "shear")}
     if "contacts" in read:
         told["contacts"] = contacts_rows(read["contacts"], theirs["contacts", "contacts"])
     if "wall" in read:
@@ -247,6 +273,8 @@ def values(tables: dict[str, str], literature: Path | str) -> dict:
         told["capsules"] = True
         told["capsules_rows"] = capsules_rows(read["capsules"])
         told["densest"] = densest(read["capsules"])
+    if "shear" in read:
+        told["shear"] = shear_rows(read["shear"])
     everything = pandas.concat(read.values())
     return told | {"versions": words(sorted(everything["version"].unique())),
                    "machines": words(sorted(everything["machine"].unique()))}
