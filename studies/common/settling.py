@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import re
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pandas
@@ -16,6 +16,7 @@ from .rows import provenance
 
 ROOT = cases.ROOT
 DECKS = [ROOT / "input" / name for name in ("in.rods", "in.contact", "in.fill", "in.settle")]
+TAP = ROOT / "input" / "in.tap"
 LAW = ROOT / "examples" / "multisphere" / "in.law"
 
 DIAMETER, DENSITY, GRAVITY = 0.01, 2700.0, 9.81
@@ -76,12 +77,13 @@ def bed_variables(aspect: float, seed: int, limits: str = "none",
     return variables
 
 
-def pour_and_settle(folder: Path | str, variables: dict, build=None) -> Settled:
-    """in.fill, then in.settle; both are given the same variables."""
+def pour_and_settle(folder: Path | str, variables: dict, build=None,
+                    settling: dict | None = None) -> Settled:
+    """in.fill, then in.settle; both are given the same variables, but for those in `settling`."""
     folder = Path(folder)
     cases.link_decks(folder, DECKS)
     fill = cases.run_deck(folder, "in.fill", variables, build=build)
-    settle = cases.run_deck(folder, "in.settle", variables, build=build)
+    settle = cases.run_deck(folder, "in.settle", variables | (settling or {}), build=build)
     tables = [cases.read_log(run.log)[-1] for run in (fill, settle)]
     last = tables[1].iloc[-1]
     rested = re.search(r"at rest since step \d+", settle.log.read_text()) is not None
@@ -90,6 +92,19 @@ def pour_and_settle(folder: Path | str, variables: dict, build=None) -> Settled:
                    float(last["time"]), rested,
                    float(max(table.iloc[-1]["contacts.4"] for table in tables)),
                    f"{fill.command} && {settle.command}")
+
+
+def tap(folder: Path | str, bed: Settled, variables: dict, build=None) -> Settled:
+    """in.tap on the bed that pour_and_settle left in `folder`; `rested` and `end_time` stay its own."""
+    folder = Path(folder)
+    cases.link_decks(folder, [TAP])
+    run = cases.run_deck(folder, "in.tap", variables, build=build)
+    last = cases.read_log(run.log)[-1].iloc[-1]
+    return replace(bed, dump=folder / "dump.tap", cpu_seconds=bed.cpu_seconds + run.cpu_seconds,
+                   wall_seconds=bed.wall_seconds + run.loop_seconds,
+                   steps=bed.steps + int(last["Step"]),
+                   largest_overlap=max(bed.largest_overlap, float(last["contacts.4"])),
+                   command=f"{bed.command} && {run.command}")
 
 
 def settle_rods(folder: Path | str, aspect: float, seed: int, stiffness: float = 1.0,
@@ -145,9 +160,11 @@ def settle_spheres(folder: Path | str, aspect: float, seed: int, spacing: float,
                    steps * step < total_time - 0.011, math.nan, run.command)
 
 
-def measure(bed: Settled, aspect: float, seed: int, build=None) -> dict:
-    """A row of the settled bed."""
-    vessel, _ = vessel_of(aspect)
+def measure(bed: Settled, aspect: float, seed: int, build=None, vessel: float | None = None,
+            more: tuple = ()) -> dict:
+    """A row of the settled bed. vessel: diameter (m), where it is not that of the decks; more: further
+    columns of rod_packing and rod_orientation."""
+    vessel = vessel or vessel_of(aspect)[0]
     values = cases.measure_bed(bed.dump, vessel / 2, build)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "contacts.csv")
@@ -160,4 +177,5 @@ def measure(bed: Settled, aspect: float, seed: int, build=None) -> dict:
             "contacts": touch["contacts_per_rod"],
             "overlap_mean": touch["overlap_mean_diameters"],
             "overlap_max": touch["overlap_max_diameters"],
-            "overlap_ever": bed.largest_overlap, **provenance(bed.command, seed)}
+            "overlap_ever": bed.largest_overlap, **{name: values[name] for name in more},
+            **provenance(bed.command, seed)}

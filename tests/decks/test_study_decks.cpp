@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The decks of input/: on several ranks all rods are placed, and each rank has its share of them when
-// they have come down; what can be chosen does what it says.
+// The decks of input/: on several ranks all rods are placed, and each rank has its share of them
+// when they have come down; what can be chosen does what it says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -181,7 +181,8 @@ TEST(StudyDecksChoice, FrictionAtWallsIsTheirOwn)
   copy_decks(folder);
   folder.write("rods.data",
                "rod\n\n1 atoms\n2 atom types\n-1 1 xlo xhi\n-1 1 ylo yhi\n-1 1 zlo zhi\n\n"
-               "Atoms\n\n1 1 0.01 0.1 2700 0 0 0.005 1 0 0\n\nVelocities\n\n1 1 0 0 0 0 0\n");
+               "Atoms\n\n1 1 0.01 0.1 2700 0 0 0.005 1 0 0\n\n"
+               "Velocities\n\n1 1 0 0 0 0 0\n");
   folder.write("in.slide",
                "variable vessel_diameter index 1.0\nvariable friction index 0.5\n"
                "variable friction_wall index 0.1\ninclude in.rods\nread_data rods.data\n"
@@ -215,15 +216,16 @@ TEST(StudyDecksChoice, RodsStartUprightOrLevel)
   }
 }
 
-// A layer two lengths high falls from `drop` above the bed: no rod is faster than after a free fall of
-// both and a length, the room between the highest centre and the highest point that may be there.
+// A layer two lengths high falls from `drop` above the bed: no rod is faster than after a free fall
+// of both and a length, the room between the highest centre and the highest point there may be.
 TEST(StudyDecksChoice, GentlyPouredRodsFallFromTheBedsTop)
 {
   const DeckFolder folder;
   copy_decks(folder);
-  const std::string gentle = std::string(kVessel) +
-                             "variable gentle index 1\nvariable layers index 4\nvariable fill_time index 1.0\n"
-                             "variable dt index 5e-5\nvariable dump_every index 400\n";
+  const std::string gentle =
+      std::string(kVessel) +
+      "variable gentle index 1\nvariable layers index 4\nvariable fill_time index 1.0\n"
+      "variable dt index 5e-5\nvariable dump_every index 400\n";
   const Outcome outcome = run_stage(folder, "fill", gentle);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const std::vector<Snapshot> frames = read_dump(folder / "dump.fill");
@@ -249,8 +251,9 @@ TEST(StudyDecksChoice, LengthsSpreadEvenly)
   const DeckFolder folder;
   copy_decks(folder);
   const Outcome outcome =
-      run_stage(folder, "fill", std::string("variable rods index 63\nvariable length_spread index 0.2\n") +
-                                    kVessel + kAsPlaced);
+      run_stage(folder, "fill",
+                std::string("variable rods index 63\nvariable length_spread index 0.2\n") +
+                    kVessel + kAsPlaced);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   std::map<long, int> lengths;
   const Table rods = read_dump(folder / "dump.fill").at(1).atoms;
@@ -260,17 +263,19 @@ TEST(StudyDecksChoice, LengthsSpreadEvenly)
 }
 
 // A rod that falls freely is seen from the vessel: it falls g t²/2 and the vessel's lift a/(2 pi f²)
-// more, a the largest acceleration, which no tap at rest before and after depends on when it ends.
+// more, a the largest acceleration; its speed is then that of the fall, as the vessel rests again.
 TEST(StudyDecksChoice, TapsLiftTheVessel)
 {
   const DeckFolder folder;
   copy_decks(folder);
-  const std::string one = "variable rods index 1\nvariable vessel_height index 10\n" + std::string(kVessel);
+  const std::string one =
+      "variable rods index 1\nvariable vessel_height index 10\n" + std::string(kVessel);
   ASSERT_EQ(run_stage(folder, "fill", "variable fill_time index 2e-5\n" + one).exit_code, 0);
   ASSERT_EQ(run_stage(folder, "settle", "variable total_time index 4e-5\n" + one).exit_code, 0);
   const Outcome outcome = run_stage(folder, "tap",
                                     "variable taps index 1\nvariable tap_strength index 3\n"
-                                    "variable tap_frequency index 20\nvariable tap_time index 0.2\n");
+                                    "variable tap_frequency index 20\n"
+                                    "variable tap_time index 0.2\n");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const std::vector<Snapshot> frames = read_dump(folder / "dump.tap");
   ASSERT_EQ(frames.size(), 2u);
@@ -285,7 +290,8 @@ TEST(StudyDecksChoice, TheBedCollapsesWithoutItsWall)
 {
   const DeckFolder folder;
   copy_decks(folder);
-  const std::string given = "variable quick index 1\nvariable fill_time index 0.7\n" + std::string(kVessel);
+  const std::string given =
+      "variable quick index 1\nvariable fill_time index 0.7\n" + std::string(kVessel);
   ASSERT_EQ(run_stage(folder, "fill", given).exit_code, 0);
   ASSERT_EQ(run_stage(folder, "settle", given).exit_code, 0);
   const Outcome outcome = run_stage(folder, "collapse",
@@ -312,19 +318,22 @@ TEST(StudyDecksChoice, WrongValuesAreTold)
       {"gentle index 3", "gentle must be 0 or 1 (got 3)"},
       {"drop index -1", "layers must be >= 1 and drop >= 0 (got 10 and -1)"}};
   for (const auto &[given, told] : wrong) {
-    const Outcome outcome = run_stage(folder, "fill", std::string("variable ") + given + "\n" + kVessel);
+    const Outcome outcome =
+        run_stage(folder, "fill", std::string("variable ") + given + "\n" + kVessel);
     EXPECT_NE(outcome.output.find(told), std::string::npos) << outcome.output;
     EXPECT_NE(outcome.exit_code, 0);
   }
   folder.write("in.case", "variable types index 1\nvariable out index .\n");
-  const Outcome changed = run_stage(folder, "settle", std::string("variable friction_wall index 0.1\n") + kVessel +
-                                                       "variable poured_length index 0.05\n");
+  const Outcome changed =
+      run_stage(folder, "settle", std::string("variable friction_wall index 0.1\n") + kVessel);
   EXPECT_NE(changed.output.find("poured with one friction for rods and walls (got friction 0.2 and "
-                                "friction_wall 0.1)"), std::string::npos)
+                                "friction_wall 0.1)"),
+            std::string::npos)
       << changed.output;
   const Outcome outcome =
       run_stage(folder, "tap", "variable tap_time index 0.01\n" + std::string(kVessel));
-  EXPECT_NE(outcome.output.find("tap_time must be longer than a tap, 1/tap_frequency (got 0.01 at 30.0)"),
+  EXPECT_NE(outcome.output.find("tap_time must be longer than a tap, 1/tap_frequency (got 0.01 at "
+                                "30.0)"),
             std::string::npos)
       << outcome.output;
 }

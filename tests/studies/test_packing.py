@@ -277,6 +277,11 @@ def test_the_smallest_run(study, tmp_path, programs):
     assert f"<td>{first['vf_inner']:.4f}</td>" in html
     assert f"{first['vf_inner']:.4f}" in (results / "README.md").read_text()
 
+    # Beds of one kind beside those that are there: nothing else is asked for.
+    added = study("packing", "smoke=1", "friction=0", "add=1", options=["-n"])
+    assert added.returncode == 0 and "draw_filling" not in added.stdout, added.stdout
+    assert (tmp_path / "former_beds.csv").read_bytes() == (results / "beds.csv").read_bytes()
+
     # Nothing to do again; a bed whose measures are lost is measured from its dump.
     assert "Nothing to be done" in study("packing", "smoke=1").stdout
     (tmp_path / f"lambda10_friction0_limits_none_seed{first['seed']}/bed.csv").unlink()
