@@ -32,6 +32,14 @@ def legend_below(axes, columns: int) -> None:
     axes.legend(fontsize=6.5, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=columns)
 
 
+def plain_numbers(*axes) -> None:
+    """On logarithmic axes of less than a decade or two: 0.5, 1, 2."""
+    for axis in axes:
+        axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
+        axis.set_minor_formatter(ticker.NullFormatter())
+
+
 def contacts_figure(table, theirs):
     found = page.contacts(table)
     figure, (left, right) = plots.new_figure(170, 105, 1, 2)
@@ -146,10 +154,7 @@ def collapse_figure(table, theirs):
                        label=f"experiment: slope {n:g}")
     right.set(xscale="log", yscale="log", xlabel="height / radius of the column",
               ylabel="run-out $(r_f - r_i)/r_i$")
-    for axis in (right.xaxis, right.yaxis):
-        axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
-        axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
-        axis.set_minor_formatter(ticker.NullFormatter())
+    plain_numbers(right.xaxis, right.yaxis)
     legend_below(right, 1)
     return figure
 
@@ -200,5 +205,6 @@ def shear_figure(table, theirs):
               transform=axes.transAxes, fontsize=8)
     axes.set(xscale="log", xlabel="shear rate of the layer (1/s)", ylim=(0, None),
              ylabel="mean direction above the flow (degrees)")
+    plain_numbers(axes.xaxis)
     axes.legend()
     return figure
