@@ -181,14 +181,23 @@ def cheapest(charted_rows: pandas.DataFrame) -> list[list[str]]:
     return lines
 
 
-def limit(groups, place) -> tuple[float, float, float]:
+def scatter_of(runs: pandas.DataFrame) -> float:
+    """Standard deviation of V_f, inner cylinder, from bed to bed of a case: of one method and aspect
+    ratio all cases together, of few beds each. NaN without a case of two."""
+    squares = [(len(part) - 1, part["vf_inner"].var(ddof=1))
+               for _, part in runs.groupby([*CASE, "divided_by"]) if len(part) > 1]
+    freedom = sum(n for n, _ in squares)
+    return math.sqrt(sum(n * square for n, square in squares) / freedom) if freedom else math.nan
+
+
+def limit(cases, scatter: float, place) -> tuple[float, float, float]:
     """V_f of the inner cylinder where `place` of a case is 0, its standard error, and chi squared a
-    degree of freedom, by a line through the means of cases of two beds and more; NaN of fewer than
-    two of them."""
-    cases = [(place(part), *mean_and_error(part["vf_inner"])) for _, part in groups if len(part) > 1]
-    if len(cases) < 2:
+    degree of freedom, by a line through the means of the cases; NaN of fewer than two of them."""
+    points = [(place(part), part["vf_inner"].mean(), scatter / math.sqrt(len(part)))
+              for _, part in cases]
+    if len(points) < 2 or not scatter > 0:
         return math.nan, math.nan, math.nan
-    return limit_of_line(*zip(*cases))
+    return limit_of_line(*zip(*points))
 
 
 def limits(runs: pandas.DataFrame, reference: dict) -> list[list[str]]:
@@ -207,9 +216,11 @@ def limits(runs: pandas.DataFrame, reference: dict) -> list[list[str]]:
         crossing = (2.0 * (aspect - 1.0) / (here["n"] - 1.0)).rdiv(2.0).round(6)
         spheres = here[(here["method"] == "multisphere") & (here["divided_by"] == crossing)
                        & (here["time_step_over_limit"] == SPHERES_STEP)]
-        stiff = limit(rods.groupby(["stiffness", "time_step_over_limit"]),
+        stiff = limit(rods.groupby(["stiffness", "time_step_over_limit"]), scatter_of(rods),
                       lambda part: part["overlap_mean"].mean())
-        smooth = limit(spheres.groupby("n"), lambda part: groove(aspect, int(part["n"].iloc[0])))
+        smooth = limit(spheres.groupby("n"),
+                       scatter_of(here[here["method"] == "multisphere"]),
+                       lambda part: groove(aspect, int(part["n"].iloc[0])))
         wanted = mean_and_error(there["vf_inner"])
         cells = [f"{aspect:g}", with_error(wanted, 3)]
         for value, error, chi in (stiff, smooth):

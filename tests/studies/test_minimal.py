@@ -112,7 +112,7 @@ def test_limits_of_stiff_contacts_and_many_spheres():
                           "overlap_mean": 0.1, "seed": seed, "vf_inner":
                           0.45 + 0.1 * beds.groove(10, n) + scatter + (divided * n == 19)})
     cells = beds.limits(pandas.DataFrame(table), reference)[0]
-    # Errors of the means 0.01/√3 and 0.02: of the limits by the arms of the line.
+    # Scatter of a case 0.01, and 0.02 √2; errors of the limits by the arms of the line.
     stiff = math.hypot(10 / 9, 1 / 9) * 0.01 / math.sqrt(3)
     deep, shallow = beds.groove(10, 10), beds.groove(10, 19)
     smooth = 0.02 * math.hypot(deep, shallow) / (deep - shallow)
