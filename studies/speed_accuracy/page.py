@@ -68,10 +68,11 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
         "spheres_win": int((table["cheapest"] == "multisphere").sum()),
         "neither": int((table["cheapest"] == "neither").sum()),
         "median_times": f"1/{chart.times(ratio.median())}" if len(ratio) else "–",
-        "lost": [{"scene": chart.title_of(row["scene"]), "lambda": row["lambda"],
+        "lost": [{"scene": chart.title_of(row["scene"], row["quantity"]),
+                  "lambda": f"{row['lambda']:g}",
                   "error": chart.percent(row["error"]), "words": chart.words(row)}
                  for _, row in table[table["cheapest"] == "multisphere"].iterrows()],
-        "enough": [f"{chart.title_of(row['scene'])}, λ = {row['lambda']:g}, "
+        "enough": [f"{chart.title_of(row['scene'], row['quantity'])}, λ = {row['lambda']:g}, "
                    f"{chart.percent(row['error'])} %" for _, row in near.iterrows()],
         "wall_errors": wall_errors(events), "by_number": by_number, "by_number_aspect": f"{aspects[0]:g}",
         "cases": len(events), "rods_cases": int((events["method"] == "rods").sum()),
