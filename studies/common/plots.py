@@ -2,6 +2,7 @@
 """Figures of one look, as files that are the same each time."""
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 
 import matplotlib
@@ -21,6 +22,8 @@ CYCLE = [COLOURS[name] for name in ("blue", "vermilion", "green", "purple", "ora
 MARKERS = ["o", "s", "D", "^", "v", "P", "X"]
 DASHES = ["-", (0, (5, 2)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5))]
 
+_DRAWING = threading.Lock()
+
 # What differs between two runs of matplotlib is left out of its files.
 _METADATA = {".png": {"Software": None}, ".svg": {"Date": None, "Creator": None},
              ".pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
@@ -29,7 +32,7 @@ _METADATA = {".png": {"Software": None}, ".svg": {"Date": None, "Creator": None}
 def new_figure(width_mm: float = 160, height_mm: float = 110, rows: int = 1, columns: int = 1,
                **options):
     """Figure and axes (an array if there are several), of the size printed. Jobs that are threads
-    can draw at once: nothing of a figure is kept by pyplot."""
+    can each have one: nothing of a figure is kept by pyplot."""
     figure = matplotlib.figure.Figure(figsize=(width_mm / 25.4, height_mm / 25.4))
     return figure, figure.subplots(rows, columns, **options)
 
@@ -41,11 +44,13 @@ def errors(values):
 
 
 def save(figure, stem: Path | str, pdf: bool = False) -> None:
-    """Writes STEM.svg and STEM.png, on request STEM.pdf."""
+    """Writes STEM.svg and STEM.png, on request STEM.pdf. One figure at a time, whatever the thread:
+    matplotlib's reader of formulas, as tick labels of logarithmic axes are, is one for all."""
     stem = Path(stem)
     stem.parent.mkdir(parents=True, exist_ok=True)
-    for ending in (".svg", ".png") + ((".pdf",) if pdf else ()):
-        figure.savefig(stem.with_name(stem.name + ending), metadata=_METADATA[ending])
+    with _DRAWING:
+        for ending in (".svg", ".png") + ((".pdf",) if pdf else ()):
+            figure.savefig(stem.with_name(stem.name + ending), metadata=_METADATA[ending])
 
 
 def for_letters(colour: str) -> str:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """studies/common: runs, logs, rows, statistics, pages."""
+import concurrent.futures
 import hashlib
 import math
 import sys
@@ -68,6 +69,20 @@ def test_limit_of_a_line():
     for x, errors in (([1], [1]), ([1, 1], [1, 1]), ([1, 2], [1, 0])):
         with pytest.raises(ValueError, match="a line needs"):
             statistics.limit_of_line(x, x, errors)
+
+
+# Jobs of a study may be threads of one process; tick labels and formulas are of several figures.
+def test_figures_are_drawn_in_threads(tmp_path):
+    def draw(k):
+        for n in range(3):
+            figure, axes = plots.new_figure(60, 40)
+            axes.loglog([1e-3, 1e3], [1, 1e5 + k])
+            axes.set_xlabel(f"$(r_{n} - r_{k})/r_i$")
+            plots.save(figure, tmp_path / f"figure_{k}_{n}")
+
+    with concurrent.futures.ThreadPoolExecutor(8) as threads:
+        list(threads.map(draw, range(8)))
+    assert len(list(tmp_path.glob("*.png"))) == 24
 
 
 def test_pareto_front():
