@@ -83,9 +83,11 @@ def off_costs(table: pandas.DataFrame) -> dict:
 def deck_settings() -> dict:
     """What in.rods says of the default and of quick 1."""
     text = settling.DECKS[0].read_text()
-    default, quick = ({name: float(re.search(rf"variable {name}\s+index ([\d.e+-]+){ending}", text,
-                                             re.MULTILINE).group(1))
-                       for name in ("dt", "total_time")} for ending in (r"\s*$", '"'))
+    of_quick = text[text.index('"${quick} == 1"'):]
+    default, quick = ({name: float(re.search(rf"^ *\"?variable {name}\s+index ([\d.e+-]+){ending}",
+                                             part, re.MULTILINE).group(1))
+                       for name in ("dt", "total_time")}
+                      for part, ending in ((text, r"\s*$"), (of_quick, '"')))
     return {"step_times": quick["dt"] / default["dt"], "default_time": default["total_time"],
             "quick_time": quick["total_time"],
             "step_fraction": quick["dt"] / settling.time_step_limit(20.0)}

@@ -164,7 +164,8 @@ def test_changes_against_the_scene_as_it_is():
 
 def test_settings_of_the_decks():
     found = page.deck_settings()
-    assert found["step_times"] == pytest.approx(2.5) and found["default_time"] == 10
+    assert found["step_times"] == pytest.approx(2.5)
+    assert found["default_time"] == 10 and found["quick_time"] == 3
     assert 0.21 < found["step_fraction"] < 0.23
 
 
