@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What all tests of the studies share."""
 import os
+import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -31,3 +33,26 @@ def study(tmp_path):
         return subprocess.run([str(word) for word in command], cwd=tmp_path, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     return run
+
+
+@pytest.fixture
+def kept_page_is_made_again(study, tmp_path):
+    """kept_page_is_made_again("minimal"): from its kept tables a study makes the page that is kept."""
+    def make(name):
+        folder = ROOT / "studies" / name
+        if not (folder / "results").exists():
+            pytest.skip("no results are kept")
+        shutil.copytree(folder / "results", tmp_path / "results")
+        done = study(name, "kept=1")
+        assert done.returncode == 0, done.stdout
+        kept = (folder / "README.md").read_text()
+        assert (tmp_path / "results/README.md").read_text() == kept.replace("](results/", "](")
+
+    return make
+
+
+def measured_numbers(template):
+    """Decimal numbers and percentages that a page's template holds outside code and expressions."""
+    told_apart = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|`[^`]*`|```.*?```", re.DOTALL)
+    text = told_apart.sub(" ", template.read_text())
+    return set(re.findall(r"(?<![\w.])\d+\.\d+|\d+(?= ?%)", text))

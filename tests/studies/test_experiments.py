@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """studies/experiments: its measures against closed forms, its smallest run, its page."""
 import math
-import re
-import shutil
 
 import numpy as np
 import pandas
 import pytest
 
-from conftest import ROOT
+from conftest import ROOT, measured_numbers
 from studies.common.rows import read_rows
 from studies.experiments import beds, capsules, columns, measures, page
 
@@ -314,18 +312,10 @@ def test_one_experiment_alone(study):
     assert done.returncode != 0 and "a number for each of contacts_lambdas" in done.stdout
 
 
-def test_the_kept_page_is_that_of_the_kept_tables(study, tmp_path):
-    if not (STUDY / "results").exists():
-        pytest.skip("no results are kept")
-    shutil.copytree(STUDY / "results", tmp_path / "results")
-    done = study("experiments", "kept=1")
-    assert done.returncode == 0, done.stdout
-    kept = (STUDY / "README.md").read_text()
-    assert (tmp_path / "results/README.md").read_text() == kept.replace("](results/", "](")
+def test_the_kept_page_is_that_of_the_kept_tables(kept_page_is_made_again):
+    kept_page_is_made_again("experiments")
 
 
 def test_templates_hold_no_measured_numbers():
-    told_apart = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|`[^`]*`|```.*?```", re.DOTALL)
-    text = told_apart.sub(" ", (STUDY / "README.md.j2").read_text())
     # Of the decks: restitution.
-    assert set(re.findall(r"(?<![\w.])\d+\.\d+|\d+(?= ?%)", text)) <= {"0.5"}
+    assert measured_numbers(STUDY / "README.md.j2") <= {"0.5"}

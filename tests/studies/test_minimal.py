@@ -2,13 +2,12 @@
 """studies/minimal and what it shares with the beds of studies/speed_accuracy."""
 import math
 import re
-import shutil
 
 import numpy as np
 import pandas
 import pytest
 
-from conftest import ROOT
+from conftest import ROOT, measured_numbers
 from studies.common import cases, settling
 from studies.common.rows import read_rows
 from studies.minimal import advice, features, page
@@ -169,21 +168,13 @@ def test_settings_of_the_decks():
     assert 0.21 < found["step_fraction"] < 0.23
 
 
-def test_the_kept_page_is_that_of_the_kept_tables(study, tmp_path):
-    if not (STUDY / "results").exists():
-        pytest.skip("no results are kept")
-    shutil.copytree(STUDY / "results", tmp_path / "results")
-    done = study("minimal", "kept=1")
-    assert done.returncode == 0, done.stdout
-    kept = (STUDY / "README.md").read_text()
-    assert (tmp_path / "results/README.md").read_text() == kept.replace("](results/", "](")
+def test_the_kept_page_is_that_of_the_kept_tables(kept_page_is_made_again):
+    kept_page_is_made_again("minimal")
 
 
 def test_templates_hold_no_measured_numbers():
-    told_apart = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|`[^`]*`|```.*?```", re.DOTALL)
-    text = told_apart.sub(" ", (STUDY / "README.md.j2").read_text())
     # Of the tests: a level of 5 %, intervals of 90 %.
-    assert set(re.findall(r"(?<![\w.])\d+\.\d+|\d+(?= ?%)", text)) <= {"5", "90"}
+    assert measured_numbers(STUDY / "README.md.j2") <= {"5", "90"}
 
 
 def test_the_smallest_run(study, tmp_path):

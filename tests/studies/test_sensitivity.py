@@ -2,14 +2,13 @@
 """studies/sensitivity: its cases, differences and figures, and its smallest run from end to end."""
 import math
 import re
-import shutil
 
 import numpy
 import pandas
 import pytest
 import yaml
 
-from conftest import ROOT
+from conftest import ROOT, measured_numbers
 from studies.common import settling
 from studies.common.rows import PROVENANCE, read_rows
 from studies.sensitivity import figures, page, variations
@@ -150,19 +149,11 @@ def test_the_base_case_is_a_point_of_each_series():
 
 
 def test_templates_hold_no_measured_numbers():
-    told_apart = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|`[^`]*`|```.*?```", re.DOTALL)
-    text = told_apart.sub(" ", (STUDY / "README.md.j2").read_text())
-    assert set(re.findall(r"(?<![\w.])\d+\.\d+|\d+(?= ?%)", text)) <= {"95"}   # of the intervals
+    assert measured_numbers(STUDY / "README.md.j2") <= {"95"}   # of the intervals
 
 
-def test_the_kept_page_is_that_of_the_kept_tables(study, tmp_path):
-    if not (STUDY / "results").exists():
-        pytest.skip("no results are kept")
-    shutil.copytree(STUDY / "results", tmp_path / "results")
-    done = study("sensitivity", "kept=1")
-    assert done.returncode == 0, done.stdout
-    kept = (STUDY / "README.md").read_text()
-    assert (tmp_path / "results/README.md").read_text() == kept.replace("](results/", "](")
+def test_the_kept_page_is_that_of_the_kept_tables(kept_page_is_made_again):
+    kept_page_is_made_again("sensitivity")
 
 
 def test_the_smallest_run(study, tmp_path):

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """studies/stability: its closed forms, the states of beds, each provoked, and the smallest run."""
 import math
-import re
-import shutil
 from dataclasses import replace
 
 import numpy as np
 import pandas
 import pytest
 
-from conftest import ROOT
+from conftest import ROOT, measured_numbers
 from studies.common import cases, settling
 from studies.common.rows import read_rows
 from studies.speed_accuracy.rods import damping_ratio
@@ -244,21 +242,13 @@ def test_remedies_that_alone_do_as_well_as_all():
     assert page.alone(beds[:0])["good"] == []
 
 
-def test_the_kept_page_is_that_of_the_kept_tables(study, tmp_path):
-    if not (STUDY / "results").exists():
-        pytest.skip("no results are kept")
-    shutil.copytree(STUDY / "results", tmp_path / "results")
-    done = study("stability", "kept=1")
-    assert done.returncode == 0, done.stdout
-    kept = (STUDY / "README.md").read_text()
-    assert (tmp_path / "results/README.md").read_text() == kept.replace("](results/", "](")
+def test_the_kept_page_is_that_of_the_kept_tables(kept_page_is_made_again):
+    kept_page_is_made_again("stability")
 
 
 def test_templates_hold_no_measured_numbers():
-    told_apart = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|`[^`]*`|```.*?```", re.DOTALL)
-    text = told_apart.sub(" ", (STUDY / "README.md.j2").read_text())
     # Of the decks: a fall of 2.5 m into a vessel of 1.25 lengths; e; limits, and π/2 over one.
-    assert set(re.findall(r"(?<![\w.])\d+\.\d+|\d+(?= ?%)", text)) <= {"2.5", "1.25", "0.5", "0.2"}
+    assert measured_numbers(STUDY / "README.md.j2") <= {"2.5", "1.25", "0.5", "0.2"}
 
 
 def test_wrong_config_ends_with_a_sentence(study):
