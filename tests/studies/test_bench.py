@@ -2,11 +2,8 @@
 """bench/Snakefile: rows from runs in turns, the smallest run of the graph, the page from the kept table."""
 import math
 import re
-import subprocess
 from pathlib import Path
 
-import numpy as np
-import pandas
 import pytest
 
 from bench import page, speed

@@ -11,7 +11,7 @@ from conftest import ROOT, measured_numbers
 from studies.common import cases, settling
 from studies.common.rows import read_rows
 from studies.speed_accuracy.rods import damping_ratio
-from studies.stability import bed, figures, maps, page, scenes, states, theory
+from studies.stability import bed, figures, maps, page, states, theory
 
 STUDY = ROOT / "studies/stability"
 
