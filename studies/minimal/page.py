@@ -7,7 +7,7 @@ import re
 import pandas
 
 from studies.common import settling
-from studies.common.pages import figure, fixed, with_error
+from studies.common.pages import figure, with_error
 from studies.common.rows import read_rows
 from studies.minimal.advice import QUANTITIES
 from studies.minimal.features import SCENES

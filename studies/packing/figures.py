@@ -2,8 +2,6 @@
 """Figures 3 and 4: solid fraction against aspect ratio, distribution of the elevation."""
 from __future__ import annotations
 
-from math import isnan
-
 import numpy
 import pandas
 
