@@ -19,7 +19,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include "analysis/numbers.h"
+#include "core/numbers.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
 #include "pictures/drawing_errors.h"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/clipped_volume.h"
-#include "analysis/rod_quantity.h"
-#include "analysis/rods.h"
+#include "solid/clipped_volume.h"
+#include "measures/rod_quantity.h"
+#include "io/rods.h"
 #include "pictures/view.h"
 
 namespace spherocylinder {

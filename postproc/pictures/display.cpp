@@ -10,7 +10,7 @@
 #include <X11/Xlib.h>
 #include <unistd.h>
 
-#include "analysis/input_error.h"
+#include "io/input_error.h"
 
 namespace spherocylinder {
 namespace {

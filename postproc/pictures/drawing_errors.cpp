@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/input_error.h"
+#include "io/input_error.h"
 
 namespace spherocylinder {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "analysis/input_error.h"
-#include "analysis/output_file.h"
+#include "io/input_error.h"
+#include "io/output_file.h"
 #include "pictures/display.h"
 
 #include <sys/wait.h>

@@ -10,7 +10,7 @@
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 
-#include "analysis/input_error.h"
+#include "io/input_error.h"
 
 namespace spherocylinder {
 

@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "analysis/input_error.h"
-#include "analysis/numbers.h"
+#include "io/input_error.h"
+#include "core/numbers.h"
 #include "core/rotation.h"
 #include "pictures/rod_data.h"
+#include "solid/capsule_measures.h"
 
 namespace spherocylinder {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/dump_frame.h"
-#include "analysis/output_file.h"
-#include "analysis/rods.h"
+#include "io/dump_frame.h"
+#include "io/output_file.h"
+#include "io/rods.h"
 
 namespace spherocylinder {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/input_error.h"
+#include "io/input_error.h"
 #include "pictures/font.h"
 
 namespace spherocylinder {

@@ -9,7 +9,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkWindowToImageFilter.h>
 
-#include "analysis/input_error.h"
+#include "io/input_error.h"
 
 namespace spherocylinder {
 

@@ -11,8 +11,9 @@
 #include <vtkPointData.h>
 #include <vtkTypeInt64Array.h>
 
-#include "analysis/numbers.h"
-#include "analysis/rod_quantity.h"
+#include "core/numbers.h"
+#include "measures/rod_quantity.h"
+#include "solid/capsule_measures.h"
 
 namespace spherocylinder {
 namespace {

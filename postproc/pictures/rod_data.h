@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/dump_frame.h"
+#include "io/dump_frame.h"
 #include "pictures/rod_surface.h"
 
 namespace spherocylinder {

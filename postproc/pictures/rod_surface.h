@@ -7,7 +7,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "analysis/rods.h"
+#include "io/rods.h"
 
 namespace spherocylinder {
 

@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/input_error.h"
+#include "io/input_error.h"
 #include "pictures/vessel_surface.h"
+#include "solid/capsule_measures.h"
 
 namespace spherocylinder {
 namespace {

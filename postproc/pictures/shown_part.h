@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/beds.h"
+#include "cli/beds.h"
 #include "pictures/bed_picture.h"
 
 namespace spherocylinder {

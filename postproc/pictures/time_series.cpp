@@ -12,8 +12,8 @@
 #include <vtkXMLDataElement.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "analysis/input_error.h"
-#include "analysis/output_file.h"
+#include "io/input_error.h"
+#include "io/output_file.h"
 
 namespace spherocylinder {
 

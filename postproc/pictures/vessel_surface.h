@@ -5,7 +5,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "analysis/clipped_volume.h"
+#include "solid/clipped_volume.h"
 
 namespace spherocylinder {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "analysis/rods.h"
+#include "io/rods.h"
 
 namespace spherocylinder {
 

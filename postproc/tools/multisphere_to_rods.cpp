@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "analysis/command_line.h"
-#include "analysis/csv_file.h"
-#include "analysis/frame_choice.h"
-#include "analysis/glued_rods.h"
-#include "analysis/input_error.h"
-#include "analysis/output_file.h"
-#include "analysis/rod_dump.h"
+#include "cli/command_line.h"
+#include "io/csv_file.h"
+#include "cli/frame_choice.h"
+#include "io/glued_rods.h"
+#include "io/input_error.h"
+#include "io/output_file.h"
+#include "io/rod_dump.h"
 
 using namespace spherocylinder;
 

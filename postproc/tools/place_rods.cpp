@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/command_line.h"
-#include "analysis/output_file.h"
-#include "analysis/rod_gas.h"
+#include "cli/command_line.h"
+#include "io/output_file.h"
+#include "measures/rod_gas.h"
 
 using namespace spherocylinder;
 

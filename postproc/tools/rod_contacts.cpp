@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "analysis/bed_contacts.h"
-#include "analysis/beds.h"
-#include "analysis/contact_tables.h"
-#include "analysis/input_error.h"
-#include "analysis/text.h"
+#include "cli/bed_contacts.h"
+#include "cli/beds.h"
+#include "cli/contact_tables.h"
+#include "io/input_error.h"
+#include "io/text.h"
 
 using namespace spherocylinder;
 

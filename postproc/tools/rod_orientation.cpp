@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "analysis/bed_orientation.h"
-#include "analysis/beds.h"
-#include "analysis/contact_statistics.h"
-#include "analysis/input_error.h"
-#include "analysis/numbers.h"
-#include "analysis/text.h"
+#include "cli/bed_orientation.h"
+#include "cli/beds.h"
+#include "measures/contact_statistics.h"
+#include "io/input_error.h"
+#include "core/numbers.h"
+#include "io/text.h"
 
 using namespace spherocylinder;
 

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "analysis/bed_packing.h"
-#include "analysis/beds.h"
-#include "analysis/command_line.h"
-#include "analysis/input_error.h"
-#include "analysis/numbers.h"
-#include "analysis/orientation_statistics.h"
-#include "analysis/packing_theory.h"
-#include "analysis/result_table.h"
+#include "cli/bed_packing.h"
+#include "cli/beds.h"
+#include "cli/command_line.h"
+#include "io/input_error.h"
+#include "core/numbers.h"
+#include "measures/orientation_statistics.h"
+#include "measures/packing_theory.h"
+#include "cli/result_table.h"
 
 using namespace spherocylinder;
 

@@ -11,11 +11,11 @@
 #include <vtkNamedColors.h>
 #include <vtkNew.h>
 
-#include "analysis/command_line.h"
-#include "analysis/frame_choice.h"
-#include "analysis/input_error.h"
-#include "analysis/output_file.h"
-#include "analysis/text.h"
+#include "cli/command_line.h"
+#include "cli/frame_choice.h"
+#include "io/input_error.h"
+#include "io/output_file.h"
+#include "io/text.h"
 #include "pictures/bed_picture.h"
 #include "pictures/display.h"
 #include "pictures/film.h"

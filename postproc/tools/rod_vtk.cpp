@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "analysis/beds.h"
-#include "analysis/command_line.h"
-#include "analysis/frame_choice.h"
-#include "analysis/input_error.h"
+#include "cli/beds.h"
+#include "cli/command_line.h"
+#include "cli/frame_choice.h"
+#include "io/input_error.h"
 #include "pictures/ovito_file.h"
 #include "pictures/rod_data.h"
 #include "pictures/rod_surface.h"

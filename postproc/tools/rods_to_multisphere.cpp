@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "analysis/command_line.h"
-#include "analysis/frame_choice.h"
-#include "analysis/input_error.h"
-#include "analysis/multisphere_input.h"
-#include "analysis/output_file.h"
+#include "cli/command_line.h"
+#include "cli/frame_choice.h"
+#include "io/input_error.h"
+#include "io/multisphere_input.h"
+#include "io/output_file.h"
 
 using namespace spherocylinder;
 

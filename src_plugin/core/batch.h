@@ -4,7 +4,7 @@
 // chosen when the library is loaded, two on any x86-64.
 #pragma once
 
-#include "vec3.h"
+#include "core/vec3.h"
 
 // Fused multiply-adds stay off, so that every processor gives the same bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)

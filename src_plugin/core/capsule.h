@@ -3,7 +3,7 @@
 // capsule). A segment of zero length is a sphere. Space frame, any consistent unit of length.
 #pragma once
 
-#include "vec3.h"
+#include "core/vec3.h"
 
 namespace spherocylinder {
 

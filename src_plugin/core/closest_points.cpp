@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "closest_points.h"
+#include "core/closest_points.h"
 
 namespace spherocylinder {
 
@@ -34,13 +34,7 @@ ClosestPoints best_end(const Segment &i, const Segment &j)
 
 ClosestPoints closest_points(const Segment &i, const Segment &j)
 {
-  // Critical point of the lines: s = (r x v).n / |n|^2, t = (r x u).n / |n|^2, n = u x v.
-  // Written with cross products because 1 - (u.v)^2 loses all digits for nearly parallel rods.
-  const Vec3 between = j.centre - i.centre;
-  const Vec3 normal = cross(i.axis, j.axis);
-  const double determinant = norm_squared(normal);
-  const double s_scaled = dot(cross(between, j.axis), normal);
-  const double t_scaled = dot(cross(between, i.axis), normal);
+  const auto [s_scaled, t_scaled, determinant] = nearest_of_lines(i, j);
   const double hi = i.half_length, hj = j.half_length;
 
   // How far outside its segment each coordinate is, times the determinant.
@@ -59,6 +53,7 @@ ClosestPoints closest_points(const Segment &i, const Segment &j)
   // The minimum on the rim is on a side that the critical point lies beyond: from any other side
   // one could step towards the critical point, inside the rectangle and downhill. Where rounding
   // could have put the critical point on the wrong side, all four ends are asked.
+  const Vec3 between = j.centre - i.centre;
   const double size = std::fabs(between.x) + std::fabs(between.y) + std::fabs(between.z) + hi + hj;
   const double uncertain = kClosestPointsRounding * size;
   if (std::fabs(s_outside) <= uncertain || std::fabs(t_outside) <= uncertain)

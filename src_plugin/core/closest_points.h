@@ -2,7 +2,7 @@
 // Closest points of two segments: the narrow phase of every rod-rod contact.
 #pragma once
 
-#include "capsule.h"
+#include "core/capsule.h"
 
 namespace spherocylinder {
 
@@ -22,6 +22,20 @@ struct ClosestPoints {
 // determinant, and the rim then holds an equally near pair.
 // Of equally near pairs (parallel rods side by side) one at an end is returned.
 ClosestPoints closest_points(const Segment &i, const Segment &j);
+
+// Where the lines of two segments are nearest to each other: s = (r x v).n / |n|^2 and
+// t = (r x u).n / |n|^2 with n = u x v, each times the determinant |n|^2. Written with cross products
+// because 1 - (u.v)^2 loses all digits for nearly parallel rods.
+struct LinesNearest {
+  double s_scaled, t_scaled, determinant;
+};
+inline LinesNearest nearest_of_lines(const Segment &i, const Segment &j)
+{
+  const Vec3 between = j.centre - i.centre;
+  const Vec3 normal = cross(i.axis, j.axis);
+  return {dot(cross(between, j.axis), normal), dot(cross(between, i.axis), normal),
+          norm_squared(normal)};
+}
 
 // The points at s on i and at t on j, whatever they are.
 inline ClosestPoints points_at(const Segment &i, double s, const Segment &j, double t)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "closest_points_batch.h"
+#include "core/closest_points_batch.h"
 
 #include <cmath>
 

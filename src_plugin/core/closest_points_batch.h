@@ -2,8 +2,8 @@
 // closest_points for a batch of pairs.
 #pragma once
 
-#include "batch.h"
-#include "closest_points.h"
+#include "core/batch.h"
+#include "core/closest_points.h"
 
 namespace spherocylinder {
 
@@ -18,7 +18,7 @@ struct SegmentPairs {
   Doubles s, t;
   Vec3s delta;
   Doubles distance_squared;
-  // Not 0 where rounding could have misled the batch: closest_points must be asked.
+  // Not 0 where rounding could have misled the batch: certain_points must be asked.
   Doubles uncertain;
   // Not 0 where spread_contact might move the contact (it decides); always 0 for reach 0.
   Doubles nearly_parallel;
@@ -41,5 +41,12 @@ struct SegmentPairs {
 // the latter on i. For a convex quadratic over a rectangle this ends at the minimum: where the first
 // clamp was against the gradient it stays, and a clamp on j is followed by the best s on that side.
 void closest_points(SegmentPairs &pairs);
+
+// Those of pair k, set from these two segments: the batch's, or where it is uncertain, worked out alone.
+inline ClosestPoints certain_points(const SegmentPairs &pairs, int k, const Segment &i,
+                                    const Segment &j)
+{
+  return pairs.uncertain[k] != 0.0 ? closest_points(i, j) : pairs.get(k);
+}
 
 }  // namespace spherocylinder

@@ -2,7 +2,7 @@
 // What a point of a rod does: its velocity, and the inertia it shows to a push.
 #pragma once
 
-#include "capsule.h"
+#include "core/capsule.h"
 
 namespace spherocylinder {
 

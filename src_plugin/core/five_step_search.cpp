@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "five_step_search.h"
+#include "core/five_step_search.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -29,12 +29,7 @@ ClosestPoints five_step_points_of(const SegmentPairs &pairs, int k)
 
 ClosestPoints five_step_points(const Segment &i, const Segment &j)
 {
-  // As in closest_points: s and t of the lines' nearest points, times the determinant.
-  const Vec3 between = j.centre - i.centre;
-  const Vec3 normal = cross(i.axis, j.axis);
-  const double determinant = norm_squared(normal);
-  const double s_scaled = dot(cross(between, j.axis), normal);
-  const double t_scaled = dot(cross(between, i.axis), normal);
+  const auto [s_scaled, t_scaled, determinant] = nearest_of_lines(i, j);
   const bool p_within = std::fabs(s_scaled) < i.half_length * determinant;
   const bool q_within = std::fabs(t_scaled) < j.half_length * determinant;
 

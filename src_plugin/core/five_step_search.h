@@ -4,7 +4,7 @@
 // closest_points. Not to be used: it misses contacts.
 #pragma once
 
-#include "closest_points_batch.h"
+#include "core/closest_points_batch.h"
 
 namespace spherocylinder {
 

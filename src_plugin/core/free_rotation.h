@@ -2,7 +2,7 @@
 // The pieces of rotate_freely, for one rod and for a batch alike.
 #pragma once
 
-#include "rotation.h"
+#include "core/rotation.h"
 
 namespace spherocylinder {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "immersed_part.h"
+#include "core/immersed_part.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // The part of a rod below a level surface.
 #pragma once
 
-#include "capsule.h"
+#include "core/capsule.h"
 
 namespace spherocylinder {
 

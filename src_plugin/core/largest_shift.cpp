@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "largest_shift.h"
+#include "core/largest_shift.h"
 
 #include <cmath>
 
-#include "batch.h"
+#include "core/batch.h"
 
 namespace spherocylinder {
 

@@ -3,13 +3,28 @@
 // contacts and single ones share. Space frame, SI units.
 #pragma once
 
-#include "vec3.h"
+#include "core/vec3.h"
 
 namespace spherocylinder {
 
 // What friction holds to mu F_n: the whole tangential force, or, as LIGGGHTS's tangential history
 // does, the spring's alone, with the dashpot on top of it while the spring holds.
 enum class SliderLimits { WholeForce, SpringAlone };
+
+// The normal force on rod i along the normal towards it (N): k overlap - gamma v_n. `limited`: it does
+// not pull.
+SPHEROCYLINDER_INLINE double normal_force(double stiffness, double overlap, double damping,
+                                          double normal_velocity, bool limited)
+{
+  const double force = stiffness * overlap - damping * normal_velocity;
+  return limited && force < 0.0 ? 0.0 : force;
+}
+
+// Of two rods' aspect ratios, the harmonic mean: as of two springs in series.
+SPHEROCYLINDER_INLINE double aspect_ratio_in_series(double i, double j)
+{
+  return 2.0 * i * j / (i + j);
+}
 
 // A tangential spring of a pair that turns about its normal `n` (unit) with the mean of the two
 // spins; `turning` is 1, or 0 for a spring that does not. Cayley's formula, which keeps its length:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "mass_properties.h"
+#include "core/mass_properties.h"
 
 namespace spherocylinder {
 

@@ -2,7 +2,7 @@
 // Mass properties of a homogeneous rod, exact for cylinder plus two hemispheres.
 #pragma once
 
-#include "vec3.h"
+#include "core/vec3.h"
 
 namespace spherocylinder {
 

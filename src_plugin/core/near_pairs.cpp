@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "near_pairs.h"
+#include "core/near_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,9 +171,8 @@ void NearPairs::keep_near(const std::vector<Capsule> &rods, int i, double gap)
                  rods[i].radius + rods[js[k]].radius + gap);
     closest_points(batch_);
     for (int k = 0; k < count; k++) {
-      double distance_squared = batch_.distance_squared[k];
-      if (batch_.uncertain[k] != 0.0)
-        distance_squared = closest_points(rods[i].segment, rods[js[k]].segment).distance_squared;
+      const double distance_squared =
+          certain_points(batch_, k, rods[i].segment, rods[js[k]].segment).distance_squared;
       if (distance_squared < batch_.reach[k] * batch_.reach[k]) partners_.push_back(js[k]);
     }
   }

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "capsule.h"
-#include "closest_points_batch.h"
+#include "core/capsule.h"
+#include "core/closest_points_batch.h"
 
 namespace spherocylinder {
 

@@ -4,7 +4,7 @@
 // Euler step of the quaternion, normalised. Not to be used: a rod without torque gains energy.
 #pragma once
 
-#include "rotation.h"
+#include "core/rotation.h"
 
 namespace spherocylinder {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "free_rotation.h"
+#include "core/free_rotation.h"
 
 namespace spherocylinder {
 

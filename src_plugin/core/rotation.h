@@ -2,7 +2,7 @@
 // Orientation of a rod and its exact torque-free rotation.
 #pragma once
 
-#include "vec3.h"
+#include "core/vec3.h"
 
 namespace spherocylinder {
 

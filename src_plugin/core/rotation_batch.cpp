@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rotation_batch.h"
+#include "core/rotation_batch.h"
 
 #include <cmath>
 
-#include "free_rotation.h"
-#include "mass_properties.h"
+#include "core/free_rotation.h"
+#include "core/mass_properties.h"
 
 namespace spherocylinder {
 

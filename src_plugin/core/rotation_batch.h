@@ -2,8 +2,8 @@
 // rotate_freely and angular_velocity for a batch of rods.
 #pragma once
 
-#include "batch.h"
-#include "rotation.h"
+#include "core/batch.h"
+#include "core/rotation.h"
 
 namespace spherocylinder {
 

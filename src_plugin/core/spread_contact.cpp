@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "spread_contact.h"
+#include "core/spread_contact.h"
 
 #include <algorithm>
 

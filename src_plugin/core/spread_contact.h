@@ -2,7 +2,7 @@
 // Where two nearly parallel rods touch, as a continuous function of their poses.
 #pragma once
 
-#include "closest_points.h"
+#include "core/closest_points.h"
 
 namespace spherocylinder {
 

@@ -6,7 +6,7 @@
 
 #include "atom.h"
 #include "dump_custom.h"
-#include "styles/atom_vec_spherocylinder.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 namespace LAMMPS_NS {
 

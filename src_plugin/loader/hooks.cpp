@@ -18,13 +18,13 @@
 #include "atom.h"
 #include "error.h"
 #include "finish.h"
-#include "host_build.h"
-#include "host_checks.h"
-#include "host_version.h"
+#include "loader/host_build.h"
+#include "loader/host_checks.h"
+#include "host/host_version.h"
 #include "input.h"
 #include "lammps.h"
-#include "style_table.h"
-#include "styles/rod_pair_report.h"
+#include "loader/style_table.h"
+#include "lists/rod_pair_report.h"
 #include "universe.h"
 
 #define EXPORT __attribute__((visibility("default")))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "host_build.h"
+#include "loader/host_build.h"
 
 #include <dlfcn.h>
 

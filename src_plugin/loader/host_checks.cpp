@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "host_checks.h"
+#include "loader/host_checks.h"
 
 #include <cstring>
 #include <set>
@@ -14,15 +14,16 @@
 #include "fix.h"
 #include "force.h"
 #include "group.h"
-#include "host_styles.h"
+#include "loader/host_styles.h"
 #include "lammps.h"
 #include "host/member_access.h"
+#include "host/rod_error.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
 #include "region.h"
-#include "styles/atom_vec_spherocylinder.h"
-#include "styles/rod_checks.h"
+#include "rods/atom_vec_spherocylinder.h"
+#include "loader/run_checks.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

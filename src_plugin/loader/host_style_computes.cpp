@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "host_style_rows.h"
+#include "loader/host_style_rows.h"
 
 namespace spherocylinder {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "host_styles.h"
+#include "loader/host_styles.h"
 
 namespace spherocylinder {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "host_styles.h"
+#include "loader/host_styles.h"
 
 #include <cstring>
 
-#include "host_style_rows.h"
+#include "loader/host_style_rows.h"
 
 namespace spherocylinder {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "host_styles_page.h"
+#include "loader/host_styles_page.h"
 
-#include "host_styles.h"
+#include "loader/host_styles.h"
 
 namespace spherocylinder {
 

@@ -2,6 +2,6 @@
 // Prints docs/with_liggghts.md.
 #include <cstdio>
 
-#include "host_styles_page.h"
+#include "loader/host_styles_page.h"
 
 int main() { fputs(spherocylinder::host_styles_page().c_str(), stdout); }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "style_table.h"
+#include "loader/style_table.h"
 
 #include <cstring>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "atom.h"
@@ -14,13 +15,14 @@
 #include "replicate.h"
 #include "set.h"
 #include "host/member_access.h"
-#include "styles/atom_vec_spherocylinder.h"
+#include "loader/run_checks.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "styles/balance.h"
 #include "styles/compute_contact_spherocylinder.h"
 #include "styles/compute_erotate_spherocylinder.h"
 #include "styles/compute_gran_local_spherocylinder.h"
 #include "styles/compute_property_atom_spherocylinder.h"
-#include "styles/contact_styles.h"
+#include "contacts/contact_styles.h"
 #include "styles/delete_atoms_spherocylinder.h"
 #include "styles/displace_rods.h"
 #include "styles/fix_balance.h"
@@ -183,9 +185,13 @@ void add_styles(LAMMPS *lmp)
 AtomVec *create_atom_style(const char *name, LAMMPS *lmp)
 {
 #define ATOM_CLASS
-#define AtomStyle(key, Class) \
-  if (strcmp(name, #key) == 0) return new Class(lmp);
-#include "styles/atom_vec_spherocylinder.h"
+#define AtomStyle(key, Class)             \
+  if (strcmp(name, #key) == 0) {          \
+    auto *rods = new Class(lmp);          \
+    rods->watch(std::make_unique<RunChecks>(lmp)); \
+    return rods;                          \
+  }
+#include "rods/atom_vec_spherocylinder.h"
 #undef AtomStyle
 #undef ATOM_CLASS
   return nullptr;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "balance.h"
+#include "styles/balance.h"
 
 #include <cstdio>
 
 #include "comm.h"
 #include "domain.h"
 #include "modify.h"
-#include "rod_checks.h"
-#include "subdomain_cuts.h"
+#include "host/rod_error.h"
+#include "parallel/subdomain_cuts.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 
@@ -20,6 +21,7 @@ void Balance::command(int narg, char **arg)
   if (modify->fix_restart_in_progress())
     rod_error_all(lmp, "Balance command between read_restart and the first run would lose the restart's "
                        "data of fixes that are yet to come (expected run 0 before it)");
+  rods_of(lmp, "Balance command");
   const SubdomainCuts cuts(lmp, "Balance command", narg, arg);
   lmp->init();
   cuts.init();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "compute_contact_spherocylinder.h"
+#include "styles/compute_contact_spherocylinder.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "atom.h"
-#include "atom_vec_spherocylinder.h"
+#include "contacts/contact_state.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "core/closest_points.h"
 #include "error.h"
 #include "force.h"
@@ -14,7 +15,7 @@
 #include "neigh_request.h"
 #include "neighbor.h"
 #include "pair.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -102,7 +103,7 @@ void ComputeContactSpherocylinder::compute_vector()
   visit_contacts();
   const double local[2] = {pairs_, overlap_sum_};
   const double local_peaks[2] = {
-      largest_overlap_, rods_of(lmp, "Compute contact/spherocylinder").largest_overlap};
+      largest_overlap_, rods_of(lmp, "Compute contact/spherocylinder").attached<ContactState>().largest_overlap};
   double total[2], peaks[2];
   MPI_Allreduce(local, total, 2, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(local_peaks, peaks, 2, MPI_DOUBLE, MPI_MAX, world);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "compute_erotate_spherocylinder.h"
+#include "styles/compute_erotate_spherocylinder.h"
 
 #include "atom.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
 #include "force.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

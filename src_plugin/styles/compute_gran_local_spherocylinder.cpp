@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "compute_gran_local_spherocylinder.h"
+#include "styles/compute_gran_local_spherocylinder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "atom.h"
-#include "contact_interface.h"
 #include "domain.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using LIGGGHTS::ContactModels::ForceData;
-using LIGGGHTS::ContactModels::SurfacesIntersectData;
 using spherocylinder::load;
 using spherocylinder::Vec3;
 
@@ -152,13 +149,6 @@ void ComputeGranLocalSpherocylinder::pre_delete(bool uncomputeflag)
   }
 }
 
-ComputeGranLocalSpherocylinder *ComputeGranLocalSpherocylinder::collecting(
-    ComputePairGranLocal *registered, bigint step)
-{
-  if (!registered || !registered->matchstep(step)) return nullptr;
-  return static_cast<ComputeGranLocalSpherocylinder *>(registered);
-}
-
 void ComputeGranLocalSpherocylinder::compute_local()
 {
   invoked_local = update->ntimestep;
@@ -184,11 +174,9 @@ void ComputeGranLocalSpherocylinder::begin_rows()
   rows_ = 0;
 }
 
-void ComputeGranLocalSpherocylinder::add_pair_contact(const SurfacesIntersectData &sidata,
-                                                      const ForceData &i_forces,
-                                                      const Vec3 &point)
+void ComputeGranLocalSpherocylinder::add_pair_contact(const ContactRow &contact)
 {
-  const int i = sidata.i, j = sidata.j;
+  const int i = contact.i, j = contact.j;
   if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit)) return;
   // Of the two ranks, or the two images, that see a pair, one reports it.
   if (j >= atom->nlocal && atom->tag[i] <= atom->tag[j]) return;
@@ -205,37 +193,35 @@ void ComputeGranLocalSpherocylinder::add_pair_contact(const SurfacesIntersectDat
            {load(atom->v[i]), load(atom->v[j])},
            {static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]),
             across ? 1.0 : 0.0},
-           load(i_forces.delta_F),
-           load(i_forces.delta_torque),
-           load(sidata.en),
-           point,
-           sidata.contact_history,
-           circle_area(sidata.radi, sidata.radj, sidata.r),
-           sidata.deltan});
+           contact.force,
+           contact.torque,
+           contact.normal,
+           contact.point,
+           contact.history,
+           circle_area(contact.radius_i, contact.radius_j, contact.distance),
+           contact.overlap});
 }
 
 // Walls have no call at the start of a step: rows begin with the first contact of the step. The
 // set-up of a run computes the forces of the last step again, after init().
 void ComputeGranLocalSpherocylinder::add_wall_contact(const FixWallGran &wall_fix, int end,
-                                                      const SurfacesIntersectData &sidata,
-                                                      const ForceData &i_forces,
-                                                      const Vec3 &point)
+                                                      const ContactRow &contact)
 {
   if (collected_step_ != update->ntimestep) begin_rows();
-  const int i = sidata.i;
+  const int i = contact.i;
   if (!(atom->mask[i] & groupbit)) return;
   const auto wall_index = std::find(walls_.begin(), walls_.end(), &wall_fix) - walls_.begin();
-  add_row({{point, load(atom->x[i])},
-           {load(sidata.v_j), load(atom->v[i])},
+  add_row({{contact.point, load(atom->x[i])},
+           {contact.wall_velocity, load(atom->v[i])},
            {static_cast<double>(wall_index), static_cast<double>(end),
             static_cast<double>(atom->tag[i])},
-           load(i_forces.delta_F),
-           load(i_forces.delta_torque),
-           load(sidata.en),
-           point,
-           sidata.contact_history ? sidata.contact_history + end * dnum : nullptr,
-           circle_area(sidata.radi, sidata.r),
-           sidata.deltan});
+           contact.force,
+           contact.torque,
+           contact.normal,
+           contact.point,
+           contact.history ? contact.history + end * dnum : nullptr,
+           circle_area(contact.radius_i, contact.distance),
+           contact.overlap});
 }
 
 // Columns in LIGGGHTS's order; `normal` after them.

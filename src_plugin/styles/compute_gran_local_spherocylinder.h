@@ -4,18 +4,9 @@
 #include <vector>
 
 #include "compute_pair_gran_local.h"
-#include "core/vec3.h"
-
-namespace LIGGGHTS {
-namespace ContactModels {
-struct SurfacesIntersectData;
-struct ForceData;
-}  // namespace ContactModels
-}  // namespace LIGGGHTS
+#include "contacts/contact_rows.h"
 
 namespace LAMMPS_NS {
-
-class FixWallGran;
 
 // compute pair/gran/local and wall/gran/local of decks with rods: LIGGGHTS's columns, with what it
 // works out from sphere centres taken from the contacts themselves, and the column group `normal`.
@@ -26,7 +17,7 @@ class FixWallGran;
 //
 // The style names are LIGGGHTS's; the loader creates this class for rods and LIGGGHTS's own for
 // everything else.
-class ComputeGranLocalSpherocylinder : public ComputePairGranLocal {
+class ComputeGranLocalSpherocylinder : public ComputePairGranLocal, public ContactRows {
  public:
   ComputeGranLocalSpherocylinder(LAMMPS *lmp, int &iarg, int narg, char **arg);
   void init() override;
@@ -35,22 +26,9 @@ class ComputeGranLocalSpherocylinder : public ComputePairGranLocal {
   void compute_local() override;
   double memory_usage() override;
 
-  // What is registered with a pair style or a wall, if it wants this step's contacts; else null.
-  static ComputeGranLocalSpherocylinder *collecting(ComputePairGranLocal *registered,
-                                                    bigint step);
-
-  void begin_rows();  // of this step
-
-  // `point` is where the forces act (space frame, m), sidata.en the unit normal towards rod i.
-  void add_pair_contact(const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata,
-                        const LIGGGHTS::ContactModels::ForceData &i_forces,
-                        const spherocylinder::Vec3 &point);
-
-  // Of end 0 (at -u) or 1 (at +u) of rod i.
-  void add_wall_contact(const FixWallGran &wall, int end,
-                        const LIGGGHTS::ContactModels::SurfacesIntersectData &sidata,
-                        const LIGGGHTS::ContactModels::ForceData &i_forces,
-                        const spherocylinder::Vec3 &point);
+  void begin_rows() override;
+  void add_pair_contact(const ContactRow &contact) override;
+  void add_wall_contact(const FixWallGran &wall, int end, const ContactRow &contact) override;
 
  private:
   struct Keywords {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "compute_property_atom_spherocylinder.h"
+#include "styles/compute_property_atom_spherocylinder.h"
 
 #include <cmath>
 #include <cstring>
 
 #include "atom.h"
-#include "atom_vec_spherocylinder.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "core/rotation.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "data_file_check.h"
+#include "styles/data_file_check.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "delete_atoms_spherocylinder.h"
+#include "styles/delete_atoms_spherocylinder.h"
 
 #include <algorithm>
 #include <cstring>
@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "atom.h"
-#include "atom_vec_spherocylinder.h"
+#include "contacts/contact_state.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "delete_atoms.h"
-#include "fix_contact_history_spherocylinder.h"
+#include "styles/fix_contact_history_spherocylinder.h"
 #include "force.h"
-#include "from_all_ranks.h"
+#include "parallel/from_all_ranks.h"
 #include "pair_gran.h"
-#include "sudden_overlaps.h"
+#include "contacts/sudden_overlaps.h"
 
 using namespace LAMMPS_NS;
 
@@ -81,5 +82,6 @@ void DeleteAtomsSpherocylinder::command(int narg, char **arg)
   };
   if (histories) histories->rename_partners(new_id);
   auto &rods = static_cast<AtomVecSpherocylinder &>(*atom->avec);
-  if (rods.sudden_overlaps) rods.sudden_overlaps->rename(new_id);
+  SuddenOverlaps *sudden_overlaps = rods.attached<ContactState>().sudden_overlaps;
+  if (sudden_overlaps) sudden_overlaps->rename(new_id);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "displace_rods.h"
+#include "styles/displace_rods.h"
 
 #include <algorithm>
 #include <cstring>
@@ -11,14 +11,14 @@
 #include "core/rotation.h"
 #include "domain.h"
 #include "fix.h"
-#include "fix_contact_history_spherocylinder.h"
-#include "fix_wall_gran_spherocylinder.h"
+#include "styles/fix_contact_history_spherocylinder.h"
+#include "styles/fix_wall_gran_spherocylinder.h"
 #include "force.h"
-#include "from_all_ranks.h"
+#include "parallel/from_all_ranks.h"
 #include "group.h"
 #include "modify.h"
 #include "pair_gran.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;

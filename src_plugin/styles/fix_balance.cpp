@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_balance.h"
+#include "styles/fix_balance.h"
 
 #include "atom.h"
 #include "comm.h"
-#include "deck_numbers.h"
+#include "host/deck_numbers.h"
 #include "force.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -15,6 +16,7 @@ FixBalance::FixBalance(LAMMPS *lmp, int narg, char **arg)
     : Fix(lmp, narg, arg),
       cuts_(lmp, std::string("Fix balance (id ") + arg[0] + ")", narg - 4, arg + 4)
 {
+  rods_of(lmp, fix_and_id(arg).c_str());
   nevery = deck_whole_number(lmp, fix_and_id(arg), "Nevery", arg[3]);
   if (nevery < 0)
     rod_error_all(lmp, "Fix balance (id %s): Nevery must be >= 0 (got %s)", id, arg[3]);

@@ -9,7 +9,7 @@ FixStyle(balance, FixBalance)
 #define LMP_FIX_BALANCE_H
 
 #include "fix.h"
-#include "subdomain_cuts.h"
+#include "parallel/subdomain_cuts.h"
 
 namespace LAMMPS_NS {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_buoyancy_spherocylinder.h"
+#include "styles/fix_buoyancy_spherocylinder.h"
 
 #include <cmath>
 #include <cstring>
@@ -10,7 +10,8 @@
 #include "fix_gravity.h"
 #include "force.h"
 #include "modify.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;

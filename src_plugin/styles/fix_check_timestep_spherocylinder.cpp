@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_check_timestep_spherocylinder.h"
+#include "styles/fix_check_timestep_spherocylinder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "atom.h"
-#include "atom_vec_spherocylinder.h"
+#include "contacts/contact_rates.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "comm.h"
 #include "core/capsule.h"
-#include "deck_numbers.h"
+#include "host/deck_numbers.h"
 #include "force.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -63,12 +64,12 @@ void FixCheckTimestepSpherocylinder::init() { warned_ = false; }
 void FixCheckTimestepSpherocylinder::pre_force(int)
 {
   if (update->ntimestep % nevery == 0)
-    rods_of(lmp, style).contact_rates().start(atom->nlocal + atom->nghost);
+    rods_of(lmp, style).attached<ContactRates>().start(atom->nlocal + atom->nghost);
 }
 
 void FixCheckTimestepSpherocylinder::end_of_step()
 {
-  ContactRates &rates = rods_of(lmp, style).contact_rates();
+  ContactRates &rates = rods_of(lmp, style).attached<ContactRates>();
   double local[3] = {0.0, 0.0, largest_surface_move()}, all[3];
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;

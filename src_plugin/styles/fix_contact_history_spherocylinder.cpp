@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_contact_history_spherocylinder.h"
+#include "styles/fix_contact_history_spherocylinder.h"
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_external_spherocylinder.h"
+#include "styles/fix_external_spherocylinder.h"
 
 #include "atom.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_freeze_spherocylinder.h"
+#include "styles/fix_freeze_spherocylinder.h"
 
 #include "atom.h"
 #include "core/vec3.h"
-#include "fix_move_spherocylinder.h"
-#include "rod_checks.h"
+#include "rods/rod_driver.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
@@ -18,7 +18,7 @@ FixFreezeSpherocylinder::FixFreezeSpherocylinder(LAMMPS *lmp, int narg, char **a
 void FixFreezeSpherocylinder::init()
 {
   FixFreeze::init();
-  driven_ = groups_of_fix_move(lmp);
+  driven_ = driven_groups(lmp);
   stop_rods();  // before a run's first ghosts get their velocities
 }
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_heat_gran_spherocylinder.h"
+#include "styles/fix_heat_gran_spherocylinder.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "atom.h"
-#include "atom_vec_spherocylinder.h"
+#include "lists/lists_in_use.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "fix_property_atom.h"
 #include "math_const.h"
-#include "rod_checks.h"
-#include "touching_rod_pairs.h"
+#include "host/rod_error.h"
+#include "lists/touching_rod_pairs.h"
 
 using namespace LAMMPS_NS;
 using MathConst::MY_PI;
@@ -85,9 +86,10 @@ void FixHeatGranSpherocylinder::post_force(int)
     fix_conduction_contact_area_->set_all(0.0);
     fix_n_conduction_contacts_->set_all(0.0);
   }
-  if (!rods_->touching_pairs) return;
+  const TouchingRodPairs *pairs = rods_->attached<ListsInUse>().touching_pairs;
+  if (!pairs) return;
   const int nlocal = atom->nlocal, *mask = atom->mask;
-  for (const TouchingRodPairs::Touch &touch : rods_->touching_pairs->touching()) {
+  for (const TouchingRodPairs::Touch &touch : pairs->touching()) {
     const int i = touch.i, j = touch.j;
     if (!((mask[i] | mask[j]) & groupbit)) continue;
     const double area = contact_area(i, j, touch.distance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_insert_spherocylinder.h"
+#include "styles/fix_insert_spherocylinder.h"
 
 #include <climits>
 #include <cmath>
@@ -11,11 +11,11 @@
 #include "comm.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
-#include "deck_numbers.h"
+#include "host/deck_numbers.h"
 #include "domain.h"
 #include "fix_property_atom.h"
 #include "region.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_limit_omega.h"
+#include "styles/fix_limit_omega.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,12 @@
 #include "atom.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
-#include "deck_numbers.h"
-#include "fix_move_spherocylinder.h"
+#include "host/deck_numbers.h"
+#include "rods/rod_driver.h"
 #include "force.h"
 #include "memory.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -74,7 +75,7 @@ FixLimitOmega::~FixLimitOmega()
 
 int FixLimitOmega::setmask() { return END_OF_STEP; }
 
-void FixLimitOmega::init() { driven_ = groups_of_fix_move(lmp); }
+void FixLimitOmega::init() { driven_ = driven_groups(lmp); }
 
 void FixLimitOmega::end_of_step()
 {

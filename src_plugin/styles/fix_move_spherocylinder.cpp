@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_move_spherocylinder.h"
+#include "styles/fix_move_spherocylinder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,8 @@
 #include "force.h"
 #include "lammps.h"
 #include "modify.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -54,24 +55,6 @@ bool gives_all_directions(char **arg)
 }
 
 }  // namespace
-
-int LAMMPS_NS::groups_of_fix_move(LAMMPS *lmp)
-{
-  int groups = 0;
-  for (int k = 0; k < lmp->modify->nfix; k++)
-    if (strcmp(lmp->modify->fix[k]->style, "move") == 0) groups |= lmp->modify->fix[k]->groupbit;
-  return groups;
-}
-
-int LAMMPS_NS::groups_driven_by_fix_move(LAMMPS *lmp)
-{
-  int groups = 0;
-  for (int k = 0; k < lmp->modify->nfix; k++) {
-    const auto *fix = dynamic_cast<FixMoveSpherocylinder *>(lmp->modify->fix[k]);
-    if (fix && fix->drives_centres()) groups |= fix->groupbit;
-  }
-  return groups;
-}
 
 FixMoveSpherocylinder::FixMoveSpherocylinder(LAMMPS *lmp, int narg, char **arg)
     : FixMove(WithoutAngularMomentum(lmp), narg, arg),

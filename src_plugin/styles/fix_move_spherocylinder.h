@@ -4,6 +4,7 @@
 
 #include "core/rotation.h"
 #include "fix_move.h"
+#include "rods/rod_driver.h"
 
 namespace LAMMPS_NS {
 
@@ -12,15 +13,14 @@ namespace LAMMPS_NS {
 // keeps its angular velocity and its axis turns with it.
 //
 // The style name is LIGGGHTS's; the loader creates this class for rods.
-class FixMoveSpherocylinder : public FixMove {
+class FixMoveSpherocylinder : public FixMove, public RodDriver {
  public:
   FixMoveSpherocylinder(LAMMPS *lmp, int narg, char **arg);
   void init() override;
   void initial_integrate(int vflag) override;
   void restart(char *state) override;
 
-  // Whether the centres do not give way in any direction.
-  bool drives_centres() const { return drives_centres_; }
+  bool drives_centres() const override { return drives_centres_; }
 
  private:
   bool is_rotation_, is_variable_, drives_centres_;
@@ -36,11 +36,6 @@ class FixMoveSpherocylinder : public FixMove {
   void turn(int i, const spherocylinder::Quaternion &rotation);
   void check_first_step(int i, const double *before, double angle) const;
 };
-
-// Groups of all these fixes, whose rods' rotation is prescribed; and of those that drive the centres in
-// all directions, too.
-int groups_of_fix_move(LAMMPS *lmp);
-int groups_driven_by_fix_move(LAMMPS *lmp);
 
 }  // namespace LAMMPS_NS
 

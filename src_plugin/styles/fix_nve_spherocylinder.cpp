@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_nve_spherocylinder.h"
+#include "styles/fix_nve_spherocylinder.h"
 
 #include <cstring>
 
@@ -7,7 +7,8 @@
 #include "core/mass_properties.h"
 #include "core/plain_rotation.h"
 #include "core/rotation.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;

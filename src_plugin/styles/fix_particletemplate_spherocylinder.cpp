@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_particletemplate_spherocylinder.h"
+#include "styles/fix_particletemplate_spherocylinder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +10,20 @@
 
 #include "comm.h"
 #include "core/mass_properties.h"
-#include "deck_numbers.h"
+#include "host/deck_numbers.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_insert.h"
-#include "fix_insert_spherocylinder.h"
+#include "styles/fix_insert_spherocylinder.h"
 #include "fix_particledistribution_discrete.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
-#include "particle_to_insert_spherocylinder.h"
+#include "insertion/particle_to_insert_spherocylinder.h"
 #include "probability_distribution.h"
 #include "region.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 using namespace LMP_PROBABILITY_NS;

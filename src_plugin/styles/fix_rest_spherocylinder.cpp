@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_rest_spherocylinder.h"
+#include "styles/fix_rest_spherocylinder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +9,14 @@
 #include "comm.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
-#include "deck_numbers.h"
+#include "host/deck_numbers.h"
 #include "error.h"
 #include "fix_gravity.h"
 #include "force.h"
 #include "modify.h"
 #include "output.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "signal_handling.h"
 #include "update.h"
 

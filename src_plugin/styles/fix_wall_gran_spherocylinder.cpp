@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fix_wall_gran_spherocylinder.h"
+#include "styles/fix_wall_gran_spherocylinder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "primitive_wall.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 #include "update.h"
 #include "variable.h"
 

@@ -3,9 +3,9 @@
 #define LMP_FIX_WALL_GRAN_SPHEROCYLINDER_H
 
 #include "fix_wall_gran.h"
-#include "near_wall_rods.h"
-#include "rod_wall.h"
-#include "wall_arguments.h"
+#include "lists/near_wall_rods.h"
+#include "walls/rod_wall.h"
+#include "styles/wall_arguments.h"
 
 namespace LAMMPS_NS {
 

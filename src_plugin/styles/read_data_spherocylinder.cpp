@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "read_data_spherocylinder.h"
+#include "styles/read_data_spherocylinder.h"
 
 #include <cstdio>
 #include <cstring>
 
 #include "atom.h"
 #include "comm.h"
-#include "data_file_check.h"
+#include "styles/data_file_check.h"
 #include "domain.h"
 #include "read_data.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

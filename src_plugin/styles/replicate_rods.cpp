@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "replicate_rods.h"
+#include "styles/replicate_rods.h"
 
 #include <mpi.h>
 
@@ -8,11 +8,11 @@
 
 #include "atom.h"
 #include "fix.h"
-#include "fix_contact_history_spherocylinder.h"
+#include "styles/fix_contact_history_spherocylinder.h"
 #include "force.h"
 #include "modify.h"
 #include "pair_gran.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 
 using namespace LAMMPS_NS;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "set_spherocylinder.h"
+#include "styles/set_spherocylinder.h"
 
 #include <climits>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "atom.h"
-#include "atom_vec_spherocylinder.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "comm.h"
 #include "core/mass_properties.h"
 #include "domain.h"
@@ -16,7 +16,8 @@
 #include "input.h"
 #include "random_park.h"
 #include "region.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
+#include "host/deck_numbers.h"
 #include "set.h"
 #include "variable.h"
 

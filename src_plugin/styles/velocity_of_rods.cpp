@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "velocity_of_rods.h"
+#include "styles/velocity_of_rods.h"
 
 #include <cstring>
 
 #include "atom.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;

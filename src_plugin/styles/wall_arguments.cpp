@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "wall_arguments.h"
+#include "styles/wall_arguments.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "deck_numbers.h"
+#include "host/deck_numbers.h"
 #include "force.h"
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"
-#include "rod_checks.h"
+#include "host/rod_error.h"
 
 using namespace LAMMPS_NS;
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/close_pairs.h"
-#include "analysis/contact_forces.h"
-#include "analysis/dump_reader.h"
-#include "analysis/glued_rods.h"
-#include "analysis/input_error.h"
-#include "analysis/rods.h"
+#include "measures/close_pairs.h"
+#include "measures/contact_forces.h"
+#include "io/dump_reader.h"
+#include "io/glued_rods.h"
+#include "io/input_error.h"
+#include "io/rods.h"
 
 namespace spherocylinder {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/rods.h"
+#include "io/rods.h"
 
 namespace spherocylinder {
 

@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/clipped_volume.h"
-#include "analysis/rods.h"
+#include "solid/clipped_volume.h"
+#include "io/rods.h"
+#include "solid/capsule_measures.h"
 #include "test_bed.h"
 
 namespace spherocylinder {

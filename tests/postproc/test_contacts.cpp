@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/close_pairs.h"
-#include "analysis/contact_forces.h"
-#include "analysis/contact_statistics.h"
-#include "analysis/input_error.h"
-#include "analysis/orientation_statistics.h"
-#include "analysis/packing_theory.h"
-#include "analysis/result_table.h"
+#include "measures/close_pairs.h"
+#include "measures/contact_forces.h"
+#include "measures/contact_statistics.h"
+#include "io/input_error.h"
+#include "measures/orientation_statistics.h"
+#include "measures/packing_theory.h"
+#include "cli/result_table.h"
 #include "core/closest_points.h"
 #include "core/spread_contact.h"
 #include "scratch_folder.h"

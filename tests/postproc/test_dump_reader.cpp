@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "analysis/dump_reader.h"
-#include "analysis/frame_choice.h"
-#include "analysis/input_error.h"
-#include "analysis/rod_quantity.h"
-#include "analysis/rods.h"
+#include "io/dump_reader.h"
+#include "cli/frame_choice.h"
+#include "io/input_error.h"
+#include "measures/rod_quantity.h"
+#include "io/rods.h"
+#include "solid/capsule_measures.h"
 #include "read_dump_bytes.h"
 #include "scratch_folder.h"
 #include "test_bed.h"

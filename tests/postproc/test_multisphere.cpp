@@ -14,11 +14,11 @@
 
 #include <fmt/format.h>
 
-#include "analysis/dump_reader.h"
-#include "analysis/frame_columns.h"
-#include "analysis/glued_rods.h"
-#include "analysis/input_error.h"
-#include "analysis/multisphere_input.h"
+#include "io/dump_reader.h"
+#include "io/frame_columns.h"
+#include "io/glued_rods.h"
+#include "io/input_error.h"
+#include "io/multisphere_input.h"
 #include "core/rotation.h"
 #include "page_examples.h"
 #include "scratch_folder.h"

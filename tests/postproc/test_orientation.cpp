@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/orientation_statistics.h"
-#include "analysis/packing_theory.h"
+#include "measures/orientation_statistics.h"
+#include "measures/packing_theory.h"
 #include "test_bed.h"
 
 namespace spherocylinder {

@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/overlap_volume.h"
-#include "analysis/rods.h"
+#include "solid/overlap_volume.h"
+#include "io/rods.h"
+#include "solid/capsule_measures.h"
 #include "core/closest_points.h"
 #include "test_bed.h"
 

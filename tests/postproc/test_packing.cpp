@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/packing_measures.h"
-#include "analysis/packing_theory.h"
+#include "measures/packing_measures.h"
+#include "measures/packing_theory.h"
 #include "test_bed.h"
+#include "solid/capsule_measures.h"
 
 namespace spherocylinder {
 namespace {

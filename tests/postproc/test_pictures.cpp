@@ -10,7 +10,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper2D.h>
 
-#include "analysis/input_error.h"
+#include "io/input_error.h"
 #include "core/closest_points.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
@@ -21,6 +21,7 @@
 #include "pictures/shown_part.h"
 #include "pictures/vessel_surface.h"
 #include "test_bed.h"
+#include "solid/capsule_measures.h"
 
 namespace spherocylinder {
 namespace {

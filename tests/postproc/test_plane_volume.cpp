@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/plane_volume.h"
-#include "analysis/rods.h"
+#include "solid/plane_volume.h"
+#include "io/rods.h"
+#include "solid/capsule_measures.h"
 #include "test_bed.h"
 
 namespace spherocylinder {

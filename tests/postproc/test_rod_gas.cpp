@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/input_error.h"
-#include "analysis/rod_gas.h"
+#include "io/input_error.h"
+#include "measures/rod_gas.h"
 #include "core/closest_points.h"
 
 namespace spherocylinder {

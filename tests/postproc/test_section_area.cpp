@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/section_area.h"
+#include "solid/section_area.h"
 
 namespace spherocylinder {
 namespace {

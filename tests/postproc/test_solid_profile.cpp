@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/input_error.h"
-#include "analysis/packing_measures.h"
-#include "analysis/parallel.h"
-#include "analysis/solid_profile.h"
+#include "io/input_error.h"
+#include "measures/packing_measures.h"
+#include "core/parallel.h"
+#include "measures/solid_profile.h"
 #include "test_bed.h"
+#include "solid/capsule_measures.h"
 
 namespace spherocylinder {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which programs the plug-in lets itself be loaded into.
-#include "loader/host_version.h"
+#include "host/host_version.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "cli/bed_orientation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "measures/close_pairs.h"
+#include "io/input_error.h"
+#include "core/numbers.h"
+#include "solid/capsule_measures.h"
+
+namespace spherocylinder {
+namespace {
+
+constexpr double most_wall_bins = 10000;
+constexpr std::size_t most_axes_of_bin = 2000;  // of a bin of the distance, paired
+constexpr double packing_tolerance = 1e-4;  // relative, of the rods' volume in the inner cylinder
+
+constexpr OverFiles same = OverFiles::same, sum = OverFiles::sum, mean = OverFiles::mean,
+                    error = OverFiles::error, scatter = OverFiles::scatter;
+
+std::vector<Rod> without_spheres(const std::vector<Rod> &rods)
+{
+  std::vector<Rod> found;
+  for (const Rod &rod : rods)
+    if (!rod.is_sphere()) found.push_back(rod);
+  return found;
+}
+
+double mean_lambda(const std::vector<Rod> &rods)
+{
+  return mean_of(rods, [](const Rod &rod) { return rod.capsule.aspect_ratio(); }).mean;
+}
+
+// The error of <|sin gamma|> carried over by the slope.
+MeanWithError random_contact(double lambda, const MeanWithError &sin_gamma, double half_contacts)
+{
+  const auto at = [&](double s) { return random_contact_fraction(lambda, s, half_contacts); };
+  constexpr double step = 1e-4;
+  const double slope = (at(sin_gamma.mean + step) - at(sin_gamma.mean - step)) / (2.0 * step);
+  return {at(sin_gamma.mean), std::abs(slope) * sin_gamma.error};
+}
+
+bool has_side(const std::optional<Vessel> &vessel)
+{
+  return vessel && std::isfinite(vessel->radius);
+}
+
+Order order_of(const std::vector<Rod> &rods, const OrientationOptions &options,
+               std::size_t most_axes)
+{
+  const std::optional<Vessel> &vessel = options.vessel;
+  const std::vector<Vec3> axes = axes_of(rods);
+  Order order{};
+  order.rods = axes.size();
+  order.elevation = mean_elevation(axes);
+  order.abs_uz = mean_abs_uz(axes);
+  order.uz_squared = mean_uz_squared(axes);
+  order.nematic = axes.empty() ? NematicOrder{none, {none, none, none}, none} : nematic_order(axes);
+  order.squared_order = unbiased_squared_order(axes);
+  order.azimuthal = azimuthal_order(axes);
+  order.radial = has_side(vessel) ? radial_order(rods, vessel->x, vessel->y)
+                                  : MeanWithError{none, none};
+  order.sin_gamma = sin_gamma_of_pairs(axes, most_axes);
+  order.random_contact = random_contact(mean_lambda(rods), order.sin_gamma, options.half_contacts);
+  return order;
+}
+
+double wall_distance(const Rod &rod, const Vessel &vessel, NearWall wall)
+{
+  const Vec3 &c = rod.capsule.segment.centre;
+  const double to_side = vessel.radius - std::hypot(c.x - vessel.x, c.y - vessel.y);
+  const double to_floor = c.z - vessel.floor;
+  switch (wall) {
+    case NearWall::side: return to_side;
+    case NearWall::floor: return to_floor;
+    case NearWall::nearest: break;
+  }
+  return std::min(to_side, to_floor);
+}
+
+std::vector<WallBin> by_wall(const std::vector<Rod> &rods, double width,
+                             const OrientationOptions &options)
+{
+  std::vector<std::vector<Rod>> rods_of_bin;
+  for (const Rod &rod : rods) {
+    const double distance = wall_distance(rod, *options.vessel, options.wall);
+    if (!(distance / width < most_wall_bins))
+      throw InputError(
+          fmt::format("--wall-width: {} m make more than {} bins up to a rod {} m from "
+                      "the wall, wanted a larger width",
+                      width, most_wall_bins, distance));
+    const auto bin = static_cast<std::size_t>(distance / width);
+    if (bin >= rods_of_bin.size()) rods_of_bin.resize(bin + 1);
+    rods_of_bin[bin].push_back(rod);
+  }
+  std::vector<WallBin> bins;
+  for (std::size_t k = 0; k < rods_of_bin.size(); ++k)
+    bins.push_back({width * static_cast<double>(k), width * static_cast<double>(k + 1),
+                    order_of(rods_of_bin[k], options, most_axes_of_bin),
+                    elevation_histogram(axes_of(rods_of_bin[k]), options.bins, options.spacing)});
+  return bins;
+}
+
+// Of all particles, spheres too. V_f is proportional to the contacts counted.
+MeasuredFraction measured_fraction(const Bed &bed, const OrientationOptions &options, double lambda,
+                                   double sin_gamma)
+{
+  const UprightCylinder whole = vessel_up_to(*options.vessel, bed_height(bed.rods).highest_centre);
+  need_height(bed, whole);
+  const double inner = solid_fraction(bed.rods, inner_half(whole), packing_tolerance).fraction;
+  return {total_volume(bed.rods) / volume(whole), inner,
+          inner / random_contact_fraction(lambda, sin_gamma, 1.0)};
+}
+
+void measure_near_pairs(const Bed &bed, const std::vector<Rod> &rods, double near,
+                        BedOrientation &found)
+{
+  const auto pairs =
+      close_pairs(rods, periodicity_of(bed.frame), near * largest_diameter(rods));
+  found.near_pairs = pairs.size();
+  found.near_sin_gamma = mean_of(pairs, [](const ClosePair &pair) { return pair.sin_gamma; });
+}
+
+std::vector<ElevationRow> rows_of(std::int64_t step, const std::vector<ElevationBin> &histogram,
+                                  double low, double high)
+{
+  std::vector<ElevationRow> rows;
+  for (const ElevationBin &bin : histogram)
+    rows.push_back({step, rows.size() + 1, bin, low, high});
+  return rows;
+}
+
+// An unbiased square, whose error only several beds tell.
+template <class Item, class Value>
+void add_square(Fields<Item> &fields, const std::string &name, Value value)
+{
+  fields.add_mean(name, [value](const Item &item) { return MeanWithError{value(item), none}; });
+}
+
+MeanWithError in_degrees(const MeanWithError &angle)
+{
+  return {angle.mean * degrees, angle.error * degrees};
+}
+
+Fields<Order> order_fields()
+{
+  using O = Order;
+  Fields<O> fields;
+  fields.add("rods", sum, [](const O &o) { return o.rods; });
+  fields.add_mean("mean_elevation", [](const O &o) { return in_degrees(o.elevation); }, "_deg");
+  fields.add_mean("mean_abs_uz", [](const O &o) { return o.abs_uz; });
+  fields.add_mean("mean_uz2", [](const O &o) { return o.uz_squared; });
+  fields.add_mean("nematic_order",
+                  [](const O &o) { return MeanWithError{o.nematic.order, o.nematic.error}; });
+  add_square(fields, "nematic_order_squared", [](const O &o) { return o.squared_order; });
+  fields.add_mean("azimuthal_order",
+                  [](const O &o) { return MeanWithError{o.azimuthal.order, o.azimuthal.error}; });
+  add_square(fields, "azimuthal_order_squared",
+             [](const O &o) { return o.azimuthal.squared_unbiased; });
+  fields.add_mean("radial_order", [](const O &o) { return o.radial; });
+  fields.add_mean("mean_sin_gamma", [](const O &o) { return o.sin_gamma; });
+  fields.add_mean("vf_random_contact", [](const O &o) { return o.random_contact; });
+  return fields;
+}
+
+template <class Number>  // of the measured fractions
+auto of_measured(Number number)
+{
+  return [number](const BedOrientation &b) {
+    return MeanWithError{b.measured ? number(*b.measured) : none, none};
+  };
+}
+
+void add_elevation_fields(Fields<ElevationRow> &fields)
+{
+  using R = ElevationRow;
+  fields.add("bin", same, [](const R &r) { return r.number; });
+  fields.add("elevation_low_deg", same, [](const R &r) { return r.bin.low * degrees; });
+  fields.add("elevation_high_deg", same, [](const R &r) { return r.bin.high * degrees; });
+  fields.add("count", sum, [](const R &r) { return r.bin.count; });
+  fields.add_mean("fraction", [](const R &r) { return r.bin.part; });
+  fields.add("isotropic_fraction", same, [](const R &r) { return r.bin.isotropic_fraction; });
+  fields.add("isotropic_scatter", scatter, [](const R &r) { return r.bin.isotropic_scatter; });
+  fields.add_mean("density", [](const R &r) { return r.bin.density(); });
+}
+
+}  // namespace
+
+BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options)
+{
+  const std::vector<Rod> rods = without_spheres(bed.rods);
+  if (rods.empty())
+    throw InputError(
+        fmt::format("{}: step {} holds no rods longer than a sphere, wanted at least one",
+                    bed.frame.path, bed.frame.step));
+  if (options.vessel) need_rods_inside(bed, *options.vessel);
+  const std::vector<Vec3> axes = axes_of(rods);
+  BedOrientation found{};
+  found.step = bed.frame.step;
+  found.lambda = mean_lambda(rods);
+  found.order = order_of(rods, options, most_axes_paired);
+  found.tensor = nematic_tensor(axes);
+  found.histogram = elevation_histogram(axes, options.bins, options.spacing);
+  found.chi_squared = chi_squared_isotropic(found.histogram, axes.size());
+  measure_near_pairs(bed, rods, options.near, found);
+  found.random_contact_isotropic =
+      random_contact_fraction(found.lambda, isotropic_sin_gamma, options.half_contacts);
+  if (has_side(options.vessel))
+    found.measured = measured_fraction(bed, options, found.lambda, found.order.sin_gamma.mean);
+  if (!options.vessel) return found;
+  if (!options.wall_width)
+    options.wall_width =
+        0.25 * mean_of(rods, [](const Rod &rod) { return rod.capsule.length(); }).mean;
+  found.by_wall = by_wall(rods, *options.wall_width, options);
+  return found;
+}
+
+Fields<BedOrientation> orientation_fields()
+{
+  using B = BedOrientation;
+  Fields<B> fields;
+  const auto add_constant = [&](const std::string &name, double value) {
+    fields.add(name, same, [value](const B &) { return value; });
+  };
+  fields.add("step", same, [](const B &b) { return b.step; });
+  fields.add_part(order_fields(), [](const B &b) { return b.order; });
+  add_constant("mean_elevation_isotropic_deg", isotropic_mean_elevation * degrees);
+  add_constant("mean_abs_uz_isotropic", isotropic_mean_abs_uz);
+  add_constant("mean_uz2_isotropic", isotropic_mean_uz_squared);
+  add_constant("mean_sin_gamma_isotropic", isotropic_sin_gamma);
+  fields.add("nematic_order_squared_isotropic_scatter", scatter,
+             [](const B &b) { return isotropic_scatter_of_squared_order(b.order.rods); });
+  fields.add("director_x", same, [](const B &b) { return b.order.nematic.director.x; });
+  fields.add("director_y", same, [](const B &b) { return b.order.nematic.director.y; });
+  fields.add("director_z", same, [](const B &b) { return b.order.nematic.director.z; });
+  fields.add("q_xx", mean, [](const B &b) { return b.tensor.xx; });
+  fields.add("q_yy", mean, [](const B &b) { return b.tensor.yy; });
+  fields.add("q_zz", mean, [](const B &b) { return b.tensor.zz; });
+  fields.add("q_xy", mean, [](const B &b) { return b.tensor.xy; });
+  fields.add("q_xz", mean, [](const B &b) { return b.tensor.xz; });
+  fields.add("q_yz", mean, [](const B &b) { return b.tensor.yz; });
+  fields.add("azimuth_deg", same, [](const B &b) { return b.order.azimuthal.azimuth * degrees; });
+  fields.add("sin_gamma_axes", sum,
+             [](const B &b) { return std::min(b.order.rods, most_axes_paired); });
+  fields.add("near_pairs", sum, [](const B &b) { return b.near_pairs; });
+  fields.add_mean("near_sin_gamma", [](const B &b) { return b.near_sin_gamma; });
+  fields.add("lambda_mean", mean, [](const B &b) { return b.lambda; });
+  fields.add("vf_random_contact_isotropic", mean,
+             [](const B &b) { return b.random_contact_isotropic; });
+  using M = MeasuredFraction;
+  fields.add_mean("vf_whole", of_measured([](const M &m) { return m.whole; }));
+  fields.add_mean("vf_inner", of_measured([](const M &m) { return m.inner; }));
+  fields.add_mean("half_contacts_of_vf_inner",
+                  of_measured([](const M &m) { return m.half_contacts; }));
+  fields.add("chi2_isotropic", mean, [](const B &b) { return b.chi_squared; });
+  fields.add("chi2_degrees_of_freedom", same, [](const B &b) { return b.histogram.size() - 1; });
+  return fields;
+}
+
+Fields<ElevationRow> elevation_fields()
+{
+  Fields<ElevationRow> fields;
+  fields.add("step", same, [](const ElevationRow &r) { return r.step; });
+  add_elevation_fields(fields);
+  return fields;
+}
+
+Fields<ElevationRow> wall_elevation_fields()
+{
+  using R = ElevationRow;
+  Fields<R> fields;
+  fields.add("step", same, [](const R &r) { return r.step; });
+  fields.add("distance_low_m", same, [](const R &r) { return r.low; });
+  fields.add("distance_high_m", same, [](const R &r) { return r.high; });
+  add_elevation_fields(fields);
+  return fields;
+}
+
+Fields<WallRow> wall_fields()
+{
+  using R = WallRow;
+  Fields<R> fields;
+  fields.add("step", same, [](const R &r) { return r.step; });
+  fields.add("distance_low_m", same, [](const R &r) { return r.bin.low; });
+  fields.add("distance_high_m", same, [](const R &r) { return r.bin.high; });
+  fields.add_part(order_fields(), [](const R &r) { return r.bin.order; });
+  return fields;
+}
+
+std::vector<ElevationRow> elevation_rows(const BedOrientation &bed)
+{
+  return rows_of(bed.step, bed.histogram, none, none);
+}
+
+std::vector<WallRow> wall_rows(const BedOrientation &bed)
+{
+  std::vector<WallRow> rows;
+  for (const WallBin &bin : bed.by_wall) rows.push_back({bed.step, bin});
+  return rows;
+}
+
+std::vector<ElevationRow> wall_elevation_rows(const BedOrientation &bed)
+{
+  std::vector<ElevationRow> rows;
+  for (const WallBin &bin : bed.by_wall)
+    for (const ElevationRow &row : rows_of(bed.step, bin.histogram, bin.low, bin.high))
+      rows.push_back(row);
+  return rows;
+}
+
+}  // namespace spherocylinder

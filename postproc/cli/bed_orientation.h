@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// All that rod_orientation says of one bed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cli/beds.h"
+#include "measures/orientation_statistics.h"
+#include "measures/packing_theory.h"
+#include "cli/result_table.h"
+
+namespace spherocylinder {
+
+enum class NearWall { nearest, side, floor };
+
+struct OrientationOptions {
+  std::optional<Vessel> vessel;
+  std::size_t bins = 18;
+  BinSpacing spacing = BinSpacing::equal_solid_angle;
+  NearWall wall = NearWall::nearest;  // that distances are taken from
+  std::optional<double> wall_width;   // of a bin of the distance (m)
+  double near = 0.1;                  // gap of near rods, in diameters of the thickest
+  double half_contacts = half_contacts_per_rod;
+};
+
+// What is measured of any set of rods: a bed, or those at some distance from a wall.
+struct Order {
+  std::size_t rods;  // with an axis
+  MeanWithError elevation, abs_uz, uz_squared;  // elevation in rad
+  NematicOrder nematic;
+  double squared_order;
+  AzimuthalOrder azimuthal;
+  MeanWithError radial;  // NaN without a vessel's axis
+  MeanWithError sin_gamma;
+  MeanWithError random_contact;  // V_f that <|sin gamma|> lets expect
+};
+
+struct WallBin {
+  double low, high;  // distance of the centre from the wall (m)
+  Order order;
+  std::vector<ElevationBin> histogram;
+};
+
+struct MeasuredFraction {
+  double whole, inner;  // as rod_packing gives them
+  double half_contacts;  // with which random contacts give the inner one
+};
+
+struct BedOrientation {
+  std::int64_t step;
+  double lambda;  // number mean of the rods with an axis
+  Order order;
+  NematicTensor tensor;
+  std::vector<ElevationBin> histogram;
+  double chi_squared;
+  std::size_t near_pairs;
+  MeanWithError near_sin_gamma;
+  double random_contact_isotropic;  // V_f of isotropic rods
+  std::optional<MeasuredFraction> measured;
+  std::vector<WallBin> by_wall;
+};
+
+// Without a width of the bins by distance takes a quarter of a rod, and keeps it in the options for
+// the beds that follow. Throws InputError for a bed without a rod longer than a sphere, rods
+// outside the vessel, or bins that are too many.
+BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options);
+
+Fields<BedOrientation> orientation_fields();
+
+// A bin of the elevation, of the bed or, with `low` and `high`, of a bin of the distance.
+struct ElevationRow {
+  std::int64_t step;
+  std::size_t number;  // from 1
+  ElevationBin bin;
+  double low, high;  // m
+};
+
+// A bin of the distance.
+struct WallRow {
+  std::int64_t step;
+  WallBin bin;
+};
+
+Fields<ElevationRow> elevation_fields();
+Fields<WallRow> wall_fields();
+Fields<ElevationRow> wall_elevation_fields();
+std::vector<ElevationRow> elevation_rows(const BedOrientation &bed);
+std::vector<WallRow> wall_rows(const BedOrientation &bed);
+std::vector<ElevationRow> wall_elevation_rows(const BedOrientation &bed);
+
+}  // namespace spherocylinder

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// All that rod_packing says of one bed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cli/beds.h"
+#include "measures/packing_measures.h"
+#include "cli/result_table.h"
+#include "measures/solid_profile.h"
+
+namespace spherocylinder {
+
+struct PackingOptions {
+  std::optional<Vessel> vessel;     // or
+  std::optional<UprightBox> box;    // with walls; or neither: the dump's box, periodic in x and y
+  std::optional<UprightBox> region; // any, whatever holds the bed; alone, nothing else is measured
+  double floor = 0.0;            // of that box, unless it is periodic in z too (m)
+  InnerOverride inner;
+  std::optional<double> bulk_margin;  // m
+  double tolerance = 1e-4;
+
+  // Whether more than the region is asked for.
+  bool holds_bed(const DumpFrame &frame) const
+  {
+    return vessel || box || (frame.periodic[0] && frame.periodic[1]);
+  }
+};
+
+struct AspectRatios {
+  double mean, smallest, largest;  // total length over diameter, mean over the rods
+
+  // Wider than the rounding of a dump.
+  bool several() const { return largest - smallest > 1e-4 * mean; }
+};
+
+// The solid of a region, its overlaps counted twice and once. NaN where there is no such region.
+struct RegionPacking {
+  double radius;       // m, NaN for a box and a layer of a periodic one
+  double bottom, top;  // m
+  double volume;       // m^3
+  double fraction;
+  double error;         // bound on the error of the fraction
+  double net_fraction;  // less the overlaps of pairs whose contact lies in the region
+};
+
+struct BedPacking {
+  std::int64_t step;
+  std::size_t rods, spheres;
+  AspectRatios lambda;
+  double mean_elevation_deg;  // NaN if all are spheres, as mean_sin_gamma
+  double mean_sin_gamma;
+  BedHeight height;
+  double rods_volume;       // m^3, overlaps counted twice
+  std::size_t overlaps;     // pairs that overlap
+  double overlap_volume;    // m^3, summed over these pairs
+  double overlap_error;     // bound (m^3)
+  RegionPacking whole;      // volume of all rods, whole, over the vessel's up to the highest centre
+  RegionPacking clipped;    // only what lies in that volume
+  RegionPacking inner;
+  double bulk_margin;       // m
+  RegionPacking bulk;
+  RegionPacking region;  // the user's own
+
+  bool has_rods() const { return spheres < rods; }  // for which there are theories
+};
+
+// Throws InputError if centres of rods lie outside the vessel or the options do not fit the bed.
+BedPacking measure_packing(const Bed &bed, const PackingOptions &options);
+
+Fields<BedPacking> packing_fields();
+
+struct PackingProfiles {
+  std::vector<ProfileBin> height, radius, wall;  // the latter two empty for a periodic box
+};
+
+// Bins `width` wide (m). Heights end above the highest point of any rod, with a full bin.
+PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, double width);
+
+struct ProfileRow {
+  std::int64_t step;
+  ProfileBin bin;
+};
+
+Fields<ProfileRow> profile_fields();
+std::vector<ProfileRow> profile_rows(const Bed &bed, const std::vector<ProfileBin> &bins);
+
+}  // namespace spherocylinder

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One or several dumps of beds, and the vessel they may lie in, on a tool's command line.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.h"
+#include "io/dump_frame.h"
+#include "measures/packing_measures.h"
+#include "io/rods.h"
+
+namespace spherocylinder {
+
+struct BedFiles {
+  std::vector<std::string> dumps;
+  std::string frame = "last";
+
+  bool several() const { return dumps.size() > 1; }
+};
+
+// Adds DUMP ... and --frame.
+void add_bed_options(CLI::App &app, BedFiles &options);
+
+struct Bed {
+  const DumpFrame &frame;
+  std::vector<Rod> rods;  // at least one
+  std::size_t file;       // index into the dumps
+};
+
+// Calls `work` for each chosen frame of each dump; leaves out frames without rods if all are
+// chosen. Throws InputError if there is nothing to work on, for all frames of several files, for a
+// file given twice, and for files whose rods differ in mean diameter or aspect ratio.
+void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)> &work);
+
+struct VesselOptions {
+  std::optional<double> radius, floor;  // m
+  std::optional<std::vector<double>> centre;
+
+  // Nothing if neither radius nor floor is given; a floor alone is a vessel of infinite radius.
+  // Throws InputError for a centre without a radius.
+  std::optional<Vessel> vessel() const;
+
+  // The same, to be drawn: a floor without a radius is refused too.
+  std::optional<Vessel> walled_vessel() const;
+};
+
+// Adds --vessel-radius, --centre and --floor.
+void add_vessel_options(CLI::App &app, VesselOptions &options);
+
+// The box of the six numbers that follow `option`. Throws InputError unless it has an inside.
+UprightBox box_of(const std::vector<double> &bounds, const std::string &option);
+
+// Throws InputError unless the highest centre lies above the bottom of the vessel or box.
+void need_height(const Bed &bed, const UprightCylinder &whole);
+
+// Throws InputError if centres of rods lie outside.
+void need_rods_inside(const Bed &bed, const Vessel &vessel);
+void need_rods_inside(const Bed &bed, const UprightBox &box);
+
+}  // namespace spherocylinder

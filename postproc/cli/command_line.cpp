@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "cli/command_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "io/input_error.h"
+#include "io/text.h"
+
+namespace spherocylinder {
+namespace {
+
+template <class Accepts>
+CLI::Validator number_that(Accepts accepts, const std::string &wanted)
+{
+  const auto check = [accepts, wanted](const std::string &word) {
+    const auto number = to_number<double>(word);
+    if (number && std::isfinite(*number) && accepts(*number)) return std::string();
+    return fmt::format("must be {} (got {})", wanted, shown(word));
+  };
+  return CLI::Validator(check, "");
+}
+
+int fail(const CLI::App &app, std::string sentence)
+{
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+  fmt::print(stderr, "{}: {}\n", app.get_name(), trimmed_end(sentence));
+  return exit_bad_input;
+}
+
+}  // namespace
+
+void add_input_options(CLI::App &app, InputOptions &options)
+{
+  app.add_option("DUMP", options.dump, "LIGGGHTS 'dump custom' text file")->required();
+  app.add_option("--frame", options.frame, "frame to work on: first, last, all or a time step")
+      ->capture_default_str();
+}
+
+CLI::Validator finite_number()
+{
+  return number_that([](double) { return true; }, "a finite number");
+}
+
+CLI::Validator positive_number()
+{
+  return number_that([](double number) { return number > 0.0; }, "a number > 0");
+}
+
+CLI::Validator number_between(double low, double high)
+{
+  return number_that([=](double number) { return number >= low && number <= high; },
+                     fmt::format("a number from {} to {}", low, high));
+}
+
+int run_tool(CLI::App &app, int argc, char **argv, const std::function<void()> &work)
+{
+  try {
+    app.parse(argc, argv);
+    work();
+    if (std::fflush(stdout) != 0) throw InputError("standard output: could not be written");
+  } catch (const CLI::CallForHelp &) {
+    fmt::print("{}", app.help());
+  } catch (const CLI::ParseError &error) {
+    return fail(app, error.what());
+  } catch (const InputError &error) {
+    return fail(app, error.what());
+  } catch (const std::bad_alloc &) {
+    return fail(app, "stopped: there is not enough memory");
+  } catch (const std::exception &error) {
+    return fail(app, fmt::format("stopped: {}", error.what()));
+  }
+  return 0;
+}
+
+}  // namespace spherocylinder

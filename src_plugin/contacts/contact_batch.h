@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact_arms.h"
+
+namespace LAMMPS_NS {
+
+// Contacts on their way from rods to forces: gathered from touching pairs or from a wall, worked out by
+// a law, scattered to the rods and shown to observers. Only the first `count` are of meaning.
+struct ContactBatch {
+  int count = 0;
+  bool is_wall = false;  // j is a wall
+
+  spherocylinder::ContactArms arms{};
+  spherocylinder::ContactLoads loads{};
+
+  int i[spherocylinder::kBatch], j[spherocylinder::kBatch];  // places in memory; of a wall j is -1
+  int type_i[spherocylinder::kBatch], type_j[spherocylinder::kBatch];
+  // One number for all that does not move of both, RodKinds::kNone where there is none. What a law has
+  // once worked out for a place in the batch holds while its number stays.
+  int kind[spherocylinder::kBatch];
+  int end[spherocylinder::kBatch];          // of a rod at a wall: 0 at -u, 1 at +u
+  int *flags[spherocylinder::kBatch];       // of LIGGGHTS's contact, null without
+  double *history[spherocylinder::kBatch];  // the models' values, null without; both ends' at a wall
+
+  // What contacts spread over nearly parallel rods push beside the law's force, over the stiffness: see
+  // spherocylinder::RodContact.
+  struct Spread {
+    int k;
+    spherocylinder::Vec3 sideways, couple_i, couple_j;  // m, m^2
+  };
+  Spread spread[spherocylinder::kBatch];
+  int spread_count = 0;
+
+  double reach(int k) const { return arms.radius_i[k] + arms.radius_j[k]; }
+  double effective_mass(int k) const { return arms.mass_share[k] / loads.inverse_mass[k]; }
+  bool can_move(int k) const { return loads.inverse_mass[k] != 0.0; }
+  // Of the contact point from the end of arm_i, against the normal (m): midway in the overlap.
+  double depth_i(int k) const { return arms.radius_i[k] - 0.5 * (reach(k) - arms.distance[k]); }
+  double depth_j(int k) const { return arms.radius_j[k] - 0.5 * (reach(k) - arms.distance[k]); }
+};
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "contacts/contact_batch.h"
+#include "contacts/rod_kinds.h"
+#include "core/capsule.h"
+#include "lists/touching_rod_pairs.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+// What a contact needs of a rod's motion.
+struct RodMotion {
+  spherocylinder::Vec3 velocity, omega;
+  // Of the effective mass: zero for a frozen rod, its turning zero with effective_mass off.
+  spherocylinder::InverseInertia inverse;
+};
+
+// Where LIGGGHTS keeps the contacts of pairs, rows of the neighbour list; null where there is none.
+struct PairHistories {
+  int **flags = nullptr;
+  double **values = nullptr;
+  int width = 0;  // values of a contact
+  int side = -1;  // where they keep the remembered normal, -1 if they do not
+
+  bool remember_sides() const { return side >= 0 && values; }
+  int *flags_of(int i, int index) const { return flags ? &flags[i][index] : nullptr; }
+  double *values_of(int i, int index) const { return values ? &values[i][width * index] : nullptr; }
+};
+
+// From touching pairs of rods to batches of contacts. Keeps what it read of owned and ghost rods, side by
+// side.
+class PairGatherer : protected Pointers {
+ public:
+  explicit PairGatherer(LAMMPS *lmp) : Pointers(lmp) {}
+
+  // Poses and motions of owned rods, and of these ghosts, or of all.
+  void read_rods(bool all, const std::vector<int> &ghosts);
+  // Masses, inertias and kinds of all rods, when rods may have come, gone or changed. Rods of
+  // `frozen_groups` do not give way.
+  void read_masses(int frozen_groups, bool effective_mass);
+
+  const std::vector<spherocylinder::Capsule> &rods() const { return rods_; }
+
+  // As many of the touching pairs as a batch holds, from the one numbered `first`. `spread`: nearly
+  // parallel rods are spread over.
+  void fill(ContactBatch &batch, const std::vector<TouchingRodPairs::Touch> &touching, size_t first,
+            const PairHistories &histories, bool spread);
+
+ private:
+  std::vector<spherocylinder::Capsule> rods_;
+  std::vector<RodMotion> motions_;
+  RodKinds kinds_;
+  bool kinds_are_new_ = true;
+
+  void read_rod(int i);
+  void set_motion(spherocylinder::ContactArms &arms, int k, int i, int j) const;
+  void set_kinds(ContactBatch &batch, int k) const;
+};
+
+}  // namespace LAMMPS_NS

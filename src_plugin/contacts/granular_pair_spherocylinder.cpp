@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contacts/granular_pair_spherocylinder.h"
+
+#include <optional>
+#include <utility>
+
+#include "atom.h"
+#include "comm.h"
+#include "compute_pair_gran_local.h"
+#include "contacts/contact_rows.h"
+#include "contacts/contact_state.h"
+#include "contacts/material_checks.h"
+#include "contacts/observers.h"
+#include "contacts/rod_pair_geometry.h"
+#include "core/five_step_search.h"
+#include "error.h"
+#include "force.h"
+#include "host/history_values.h"
+#include "host/rod_error.h"
+#include "lists/lists_in_use.h"
+#include "neigh_list.h"
+#include "pair_gran.h"
+#include "rods/atom_vec_spherocylinder.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace spherocylinder;
+
+GranularPairSpherocylinder::GranularPairSpherocylinder(LAMMPS *lmp, PairGran *parent,
+                                                       std::unique_ptr<StockModels> models)
+    : Pointers(lmp),
+      parent_(parent),
+      models_(std::move(models)),
+      vector_law_(lmp),
+      law_(models_.get()),
+      close_pairs_(lmp),
+      false_histories_(lmp),
+      gatherer_(lmp),
+      monitor_(lmp),
+      sudden_overlaps_(lmp)
+{
+}
+
+GranularPairSpherocylinder::~GranularPairSpherocylinder()
+{
+  auto *rods = dynamic_cast<AtomVecSpherocylinder *>(atom->avec);
+  if (!rods) return;
+  auto &lists = rods->attached<ListsInUse>();
+  if (lists.touching_pairs == &touching_pairs_) lists = ListsInUse(lmp);
+  auto &state = rods->attached<ContactState>();
+  if (state.sudden_overlaps == &sudden_overlaps_) state.sudden_overlaps = nullptr;
+}
+
+void GranularPairSpherocylinder::settings(int nargs, char **args,
+                                          LIGGGHTS::IContactHistorySetup *history)
+{
+  const std::vector<char *> others = keywords_.take_from(lmp, nargs, args);
+  const std::string wrong = models_->read_keywords(keywords_, others, history);
+  if (!wrong.empty()) error->all(FLERR, wrong.c_str());
+  sudden_overlaps_.allow(keywords_.sudden_overlap);
+  use_search();
+  has_settings_ = true;
+}
+
+void GranularPairSpherocylinder::use_search()
+{
+  if (!keywords_.five_step)
+    touching_pairs_.search_by(closest_points);
+  else if (keywords_.spread_contact)  // which goes by the closest points
+    touching_pairs_.search_by(closest_points_in_five_steps);
+  else
+    touching_pairs_.search_by(five_step_points);
+}
+
+void GranularPairSpherocylinder::init_granular()
+{
+  if (!has_settings_)
+    rod_error_all(lmp, "Pair gran with surface spherocylinder: a restart file does not hold its "
+                       "keywords, give pair_style and pair_coeff again after read_restart");
+  AtomVecSpherocylinder &rods = rods_of(lmp, "Pair gran with surface spherocylinder");
+  if (force->newton_pair)
+    rod_error_all(lmp, "Pair gran with surface spherocylinder requires newton off (got newton on)");
+  if (parent_->storeContactForces() || parent_->storeContactForcesStress())
+    rod_error_all(lmp,
+                  "Pair gran with surface spherocylinder stores no contact forces, as fix "
+                  "continuum/weighted wants them (expected compute pair/gran/local)");
+  const int springs[] = {history_value(*parent_, "shearx"), -1};
+  models_->connect(force->registry, keywords_, springs);
+  highest_type_ = force->registry.max_type();
+  side_ = models_->history_offset("rod_normal");
+  if (models_->has_tangential()) check_friction(lmp);
+  law_ = models_.get();
+  const std::optional<Tangential> tangential = models_->in_batches();
+  if (tangential && keywords_.are_all_of_rods) {
+    vector_law_.connect(force->registry, *tangential, keywords_.linear, springs);
+    law_ = &vector_law_;
+  }
+
+  monitor_.reset(rods);
+  close_pairs_.reset(*parent_, keywords_.close_skin);
+  auto &lists = rods.attached<ListsInUse>();
+  lists.counts = &close_pairs_.counts();
+  lists.touching_pairs = &touching_pairs_;
+  rods.attached<ContactState>().sudden_overlaps = &sudden_overlaps_;
+}
+
+void GranularPairSpherocylinder::write_restart_settings(FILE *file)
+{
+  const int64_t hash = models_->hashcode();
+  fwrite(&hash, sizeof(int64_t), 1, file);
+}
+
+void GranularPairSpherocylinder::read_restart_settings(FILE *file, int64_t hash)
+{
+  int64_t stored = -1;
+  if (comm->me == 0 && fread(&stored, sizeof(int64_t), 1, file) != 1)
+    error->one(FLERR, "Pair gran: restart file ends within the pair style");
+  if (comm->me == 0 && (hash != -1 ? hash : stored) != models_->hashcode())
+    error->one(FLERR, "Pair gran: restart file was written with other contact models");
+  models_->set_up_history(parent_);  // as long as the stored one, until init_granular
+}
+
+void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool migrated)
+{
+  // With `pre no` a run begins with its first step.
+  const bool run_begins = update->setupflag || update->ntimestep == update->firststep + 1;
+  if (migrated || run_begins) check_types_have_properties(lmp, highest_type_);
+  if (!migrated && run_begins) close_pairs_.check_rods_are_the_same();
+  close_pairs_.update(pair, gatherer_.rods(), migrated, [this](bool all) {
+    gatherer_.read_rods(all, close_pairs_.tracked_ghosts());
+  });
+  if (migrated) gatherer_.read_masses(pair.freeze_group_bit(), keywords_.effective_mass);
+
+  int **flags = pair.listgranhistory ? pair.listgranhistory->firstneigh : nullptr;
+  double **values = pair.listgranhistory ? pair.listgranhistory->firstdouble : nullptr;
+  touching_pairs_.find(close_pairs_.entries(), gatherer_.rods(), atom->tag, flags);
+  if (side_ >= 0 && (migrated || run_begins))
+    false_histories_.drop(touching_pairs_.touching(), gatherer_.rods(), flags, values, pair.dnum(),
+                          side_);
+  close_pairs_.counts().touching = static_cast<int64_t>(touching_pairs_.touching().size());
+}
+
+void GranularPairSpherocylinder::compute_force(PairGran *pair, int eflag, int vflag, int)
+{
+  if (eflag || vflag)
+    pair->ev_setup(eflag, vflag);
+  else
+    pair->evflag = pair->vflag_fdotr = 0;
+
+  const bool migrated = close_pairs_.have_rods_migrated();
+  bring_pairs_up_to_date(*pair, migrated);
+  const NeighList *list = pair->listgranhistory;
+  const PairHistories histories = {list ? list->firstneigh : nullptr,
+                                   list ? list->firstdouble : nullptr, pair->dnum(), side_};
+  law_->begin({update->dt, pair->computeflag() != 0, pair->computeflag() && pair->shearupdate()});
+  part(histories);
+  work_out(*pair, histories);
+  law_->end();
+  sudden_overlaps_.end_step(migrated);
+}
+
+// Pairs that no longer touch forget their contact.
+void GranularPairSpherocylinder::part(const PairHistories &histories)
+{
+  for (const CloseRodPairs::Entry &entry : touching_pairs_.parted()) {
+    double *values = histories.values_of(entry.i, entry.index);
+    law_->part(entry.i, entry.j, 0, histories.flags_of(entry.i, entry.index), values);
+    if (histories.remember_sides()) store(Vec3{0.0, 0.0, 0.0}, values + side_);
+  }
+}
+
+void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &histories)
+{
+  PairVirial virial(lmp, pair);
+  NormalForceSums<PairGran> sums(lmp, pair);
+  std::optional<RateCollector> rates;
+  std::optional<RowWriter> rows;
+  ContactObservers observers;
+  if (pair.evflag) observers.push_back(&virial);
+  if (pair.computeflag() && pair.store_sum_normal_force()) observers.push_back(&sums);
+  if (ContactRates *wanted = monitor_.rates())
+    observers.push_back(&rates.emplace(lmp, *wanted, pair.freeze_group_bit()));
+  if (ContactRows *wanted = ContactRows::collecting(pair.cpl(), update->ntimestep)) {
+    wanted->begin_rows();
+    observers.push_back(&rows.emplace(lmp, *wanted));
+  }
+
+  const std::vector<TouchingRodPairs::Touch> &touching = touching_pairs_.touching();
+  for (size_t first = 0; first < touching.size(); first += kBatch) {
+    gatherer_.fill(batch_, touching, first, histories, keywords_.spread_contact);
+    law_->evaluate(batch_);
+    add_spread(batch_);
+    look_at_batch();
+    if (pair.computeflag() && pair.shearupdate()) keep_sides(histories);
+    if (pair.computeflag()) scatter_pairs(batch_, pair, *atom);
+    show(batch_, observers);
+  }
+}
+
+void GranularPairSpherocylinder::look_at_batch()
+{
+  for (int k = 0; k < batch_.count; k++) {
+    const int i = batch_.i[k], j = batch_.j[k];
+    const double reach = batch_.reach(k), overlap = batch_.arms.overlap[k];
+    sudden_overlaps_.look(i, j, overlap / reach, batch_.can_move(k));
+    if (batch_.can_move(k))
+      monitor_.look(i, j, batch_.loads.stiffness[k], batch_.effective_mass(k), overlap, reach);
+  }
+}
+
+void GranularPairSpherocylinder::keep_sides(const PairHistories &histories)
+{
+  if (!histories.remember_sides()) return;
+  for (int k = 0; k < batch_.count; k++)
+    if (batch_.can_move(k))
+      store(remembered_side(batch_.arms.normal.get(k), batch_.arms.overlap[k] / batch_.reach(k)),
+            batch_.history[k] + side_);
+}

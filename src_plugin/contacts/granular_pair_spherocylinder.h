@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "contacts/contact_batch.h"
+#include "contacts/contact_monitor.h"
+#include "contacts/false_histories.h"
+#include "contacts/gather_pairs.h"
+#include "contacts/rod_keywords.h"
+#include "contacts/scatter.h"
+#include "contacts/stock_models.h"
+#include "contacts/sudden_overlaps.h"
+#include "contacts/vector_law.h"
+#include "granular_pair_style.h"
+#include "lists/close_rod_pairs.h"
+#include "lists/touching_rod_pairs.h"
+
+namespace LAMMPS_NS {
+
+// What the stock pair_style gran runs for rods: from the lists to touching pairs, batches of contacts,
+// their law, and forces.
+class GranularPairSpherocylinder : private Pointers, public LIGGGHTS::PairStyles::IGranularPairStyle {
+ public:
+  GranularPairSpherocylinder(LAMMPS *lmp, PairGran *parent, std::unique_ptr<StockModels> models);
+  ~GranularPairSpherocylinder() override;
+
+  void settings(int nargs, char **args, LIGGGHTS::IContactHistorySetup *history) override;
+  void init_granular() override;
+  void write_restart_settings(FILE *file) override;
+  void read_restart_settings(FILE *file, int64_t hash) override;
+  void compute_force(PairGran *pair, int eflag, int vflag, int addflag) override;
+
+  int64_t hashcode() override { return models_->hashcode(); }
+  bool contact_match(const std::string type, const std::string model) override
+  {
+    return models_->is(type, model);
+  }
+  int get_history_offset(const std::string name) override { return models_->history_offset(name); }
+  double stressStrainExponent() override { return models_->stress_strain_exponent(); }
+
+ private:
+  PairGran *parent_;
+  std::unique_ptr<StockModels> models_;
+  VectorLaw vector_law_;
+  ContactLaw *law_;  // vector_law_ where it serves, else models_
+  RodKeywords keywords_;
+  bool has_settings_ = false;  // false for a pair style made by read_restart
+  int highest_type_ = 0;       // that material properties are there for
+  int side_ = -1;              // where histories keep the remembered normal, -1 if they do not
+
+  CloseRodPairs close_pairs_;
+  TouchingRodPairs touching_pairs_;
+  FalseHistories false_histories_;
+  PairGatherer gatherer_;
+  ContactBatch batch_;
+  ContactMonitor monitor_;
+  SuddenOverlaps sudden_overlaps_;
+
+  void use_search();
+  void bring_pairs_up_to_date(PairGran &pair, bool migrated);
+  void part(const PairHistories &histories);
+  void work_out(PairGran &pair, const PairHistories &histories);
+  void keep_sides(const PairHistories &histories);
+  void look_at_batch();
+};
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contacts/rod_keywords.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "host/rod_error.h"
+
+using namespace LAMMPS_NS;
+
+// A length (m), or 0 for `auto`.
+static double close_skin_of(LAMMPS *lmp, const char *value)
+{
+  if (strcmp(value, "auto") == 0) return 0.0;
+  char *end = nullptr;
+  const double skin = strtod(value, &end);
+  if (*end != '\0' || !(skin > 0.0) || !std::isfinite(skin))
+    rod_error_all(lmp, "Surface spherocylinder: close_skin must be auto or a length > 0 (got %s)", value);
+  return skin;
+}
+
+std::vector<char *> RodKeywords::take_from(LAMMPS *lmp, int nargs, char **args)
+{
+  std::vector<char *> others;
+  *this = RodKeywords();
+  for (int k = 0; k < nargs; k++) {
+    const bool is_skin = strcmp(args[k], "close_skin") == 0;
+    if (!is_skin && strcmp(args[k], "search") != 0) {
+      others.push_back(args[k]);
+      continue;
+    }
+    const char *value = ++k < nargs ? args[k] : "nothing";
+    if (is_skin)
+      close_skin = close_skin_of(lmp, value);
+    else if (strcmp(value, "five_step") == 0 || strcmp(value, "exact") == 0)
+      five_step = value[0] == 'f';
+    else
+      rod_error_all(lmp, "Surface spherocylinder: search must be exact or five_step (got %s)", value);
+  }
+  // Every keyword has one value; LIGGGHTS's reader takes it for granted.
+  if (others.size() % 2 == 1)
+    rod_error_all(lmp,
+                  "Surface spherocylinder: the keywords behind the models must each have a value (the "
+                  "last word, %s, has none)",
+                  others.back());
+  for (size_t k = 0; k < others.size(); k += 2)
+    if (!has(others[k]) && !LinearKeywords::has(others[k])) are_all_of_rods = false;
+  return others;
+}
+
+void RodKeywords::register_settings(Settings &settings, bool is_linear)
+{
+  settings.registerOnOff("spread_contact", spread_contact, true);
+  settings.registerOnOff("effective_mass", effective_mass, true);
+  settings.registerOnOff("sudden_overlap", sudden_overlap, false);
+  if (is_linear) linear.register_settings(settings);
+}
+
+bool RodKeywords::has(const char *keyword)
+{
+  for (const char *own : {"spread_contact", "effective_mass", "sudden_overlap"})
+    if (strcmp(keyword, own) == 0) return true;
+  return false;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contacts/sudden_overlaps.h"
+
+#include <cmath>
+
+#include "atom.h"
+#include "comm.h"
+#include "core/vec3.h"
+#include "parallel/from_all_ranks.h"
+#include "host/rod_error.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+void SuddenOverlaps::note(int i, int j, double overlap, bool movable)
+{
+  const int id = atom->tag[i], other_id = atom->tag[j];
+  now_.push_back({std::min(id, other_id), std::max(id, other_id), i, j, overlap, movable});
+}
+
+// All ranks' deep overlaps of the step before, on each rank.
+void SuddenOverlaps::gather_before()
+{
+  std::vector<int> ids;
+  for (const Deep &deep : before_) {
+    ids.push_back(deep.id);
+    ids.push_back(deep.other_id);
+  }
+  const std::vector<int> all = from_all_ranks(world, ids);
+  before_.clear();
+  for (size_t k = 0; k < all.size(); k += 2)
+    before_.push_back({all[k], all[k + 1], 0, 0, 0.0, false});
+}
+
+void SuddenOverlaps::end_step(bool migrated)
+{
+  if (allowed_) return;
+  if (migrated && comm->nprocs > 1 && !is_first_) gather_before();
+  if (!is_first_) {
+    bool sorted = false;
+    for (const Deep &deep : now_) {
+      if (deep.overlap <= kSuddenOverlap || !deep.movable) continue;
+      if (!sorted) std::sort(before_.begin(), before_.end());
+      sorted = true;
+      if (!std::binary_search(before_.begin(), before_.end(), deep)) end_run(deep);
+    }
+  }
+  is_first_ = false;
+  before_.swap(now_);
+  now_.clear();
+}
+
+void SuddenOverlaps::end_run(const Deep &found) const
+{
+  using namespace spherocylinder;
+  const double diameter = atom->shape[found.i][0] + atom->shape[found.j][0];
+  const double way =
+      update->dt * norm(load(atom->v[found.i]) - load(atom->v[found.j])) / diameter;
+  rod_error_one(lmp,
+                "Pair gran with surface spherocylinder: rods %d and %d overlap by %g of the diameter "
+                "at step " BIGINT_FORMAT " and hardly touched in the step before, so that some command "
+                "or fix has put one of them there (by their velocities they come %g diameters nearer "
+                "in a step); wanted at most %g at once, or sudden_overlap on in pair_style",
+                found.id, found.other_id, found.overlap, update->ntimestep, way, kSuddenOverlap);
+}

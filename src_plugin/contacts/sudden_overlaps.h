@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "pointers.h"
+#include "contacts/contact_monitor.h"
+
+namespace LAMMPS_NS {
+
+// Ends the run where two rods overlap far that did not a step ago: some command or fix has put them
+// there. Knows the deep overlaps of the step before by the rods' ids, on whatever rank they were.
+class SuddenOverlaps : protected Pointers {
+ public:
+  static constexpr double kWatched = 0.05;  // overlaps below are not looked up again
+
+  explicit SuddenOverlaps(LAMMPS *lmp) : Pointers(lmp) {}
+
+  // Whether nothing is watched: keyword of the pair style.
+  void allow(bool allowed) { allowed_ = allowed; }
+
+  // Once a contact and step. `overlap`: over the mean diameter; `movable`: either rod can be moved.
+  void look(int i, int j, double overlap, bool movable)
+  {
+    if (overlap > kWatched && !allowed_) note(i, j, overlap, movable);
+  }
+
+  // Once a step, after its contacts. The very first step of all has none before it. `migrated`: rods
+  // may have come from another rank.
+  void end_step(bool migrated);
+
+  // After rods have been given other ids; `new_id(old)` is 0 for a rod that is gone.
+  template <typename NewId>
+  void rename(NewId new_id)
+  {
+    for (Deep &deep : before_) {
+      const int id = new_id(deep.id), other_id = new_id(deep.other_id);
+      deep.id = std::min(id, other_id);
+      deep.other_id = std::max(id, other_id);
+    }
+  }
+
+ private:
+  struct Deep {
+    int id, other_id;  // the lower one first
+    int i, j;          // where they are in this step
+    double overlap;
+    bool movable;
+
+    bool operator<(const Deep &other) const
+    {
+      return id != other.id ? id < other.id : other_id < other.other_id;
+    }
+  };
+  bool allowed_ = false;
+  bool is_first_ = true;
+  std::vector<Deep> now_, before_;
+
+  void note(int i, int j, double overlap, bool movable);
+  void gather_before();
+  [[noreturn]] void end_run(const Deep &found) const;
+};
+
+}  // namespace LAMMPS_NS

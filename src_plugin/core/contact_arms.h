@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Batches of contacts as a law sees them: two arms that touch, whatever they are the arms of.
+#pragma once
+
+#include "core/batch.h"
+#include "core/contact_kinematics.h"
+
+namespace spherocylinder {
+
+// Space frame, SI units. i and j are the two bodies of a contact; a wall is a j at rest but for its
+// surface, of no radius and infinite mass.
+struct ContactArms {
+  Vec3s arm_i, arm_j;            // from the centre to the point on the axis that the contact sits at
+  Vec3s velocity_i, velocity_j;  // of the centres
+  Vec3s omega_i, omega_j;
+  Doubles inverse_mass_i, inverse_mass_j;
+  Doubles inverse_inertia_i, inverse_inertia_j;  // transverse
+  Doubles radius_i, radius_j;
+  Vec3s normal;        // unit, along p - q, the points at the ends of the arms
+  Doubles distance;    // of p and q along it
+  Doubles overlap;     // that the contact feels
+  Doubles mass_share;  // of the effective mass at the contact that it has for itself
+  Doubles turning;     // 1 if a spring at the contact turns with the two about the normal, else 0
+  Vec3s side;          // normal of the last step, zero for a new contact
+};
+
+// What a law makes of them.
+struct ContactLoads {
+  Vec3s force;               // on i; j feels its opposite
+  Vec3s torque_i, torque_j;  // about the centres
+  Doubles stiffness, tangential_stiffness;  // N/m
+  Doubles inverse_mass;      // 1/m_eff; 0 if neither can move: the rest are no numbers then
+};
+
+// One contact of a batch on its way to a law.
+struct ContactPlace {
+  Vec3 normal;      // unit, towards i; as it was if the axes have passed each other
+  double distance;  // along it, negative then
+  double overlap;
+  double from_i, from_j;       // of the contact point, midway in the overlap, from p and q
+  Vec3 velocity_i, velocity_j;  // of p and q, half a step ago
+  double inverse_mass;         // 1/m_eff; 0 if neither can move
+};
+
+SPHEROCYLINDER_INLINE ContactPlace place_of(const ContactArms &c, int k, double dt)
+{
+  // Rods whose axes have passed each other keep their side: the distance is negative.
+  const double reach = c.radius_i[k] + c.radius_j[k];
+  const bool passed = dot(c.normal.get(k), c.side.get(k)) < 0.0;
+  const double distance = passed ? -c.distance[k] : c.distance[k];
+  const double overlap = passed ? reach - distance : c.overlap[k];
+  const Vec3 normal = (passed ? -1.0 : 1.0) * c.normal.get(k);
+  const double half_overlap = 0.5 * (reach - distance);
+  const Vec3 arm_i = c.arm_i.get(k), arm_j = c.arm_j.get(k);
+  return {normal,
+          distance,
+          overlap,
+          c.radius_i[k] - half_overlap,
+          c.radius_j[k] - half_overlap,
+          velocity_half_a_step_ago(c.velocity_i.get(k), c.omega_i.get(k), arm_i, dt),
+          velocity_half_a_step_ago(c.velocity_j.get(k), c.omega_j.get(k), arm_j, dt),
+          inverse_effective_mass({c.inverse_mass_i[k], c.inverse_inertia_i[k]}, arm_i, normal) +
+              inverse_effective_mass({c.inverse_mass_j[k], c.inverse_inertia_j[k]}, arm_j, normal)};
+}
+
+}  // namespace spherocylinder
