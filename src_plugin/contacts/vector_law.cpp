@@ -96,13 +96,12 @@ void VectorLaw::evaluate(ContactBatch &batch)
     materials_.spring.set(k, spring ? load(spring) : kZero);
   }
   linear_contacts(batch.arms, materials_, law_, batch.loads);
-  if (!law_.springs_go_on) return;
 
   using namespace LIGGGHTS::ContactModels;
   for (int k = 0; k < batch.count; k++) {
     if (!batch.can_move(k)) continue;
     double *spring = spring_of(batch.history[k], batch.end[k]);
-    if (spring) store(materials_.spring.get(k), spring);
+    if (spring && law_.springs_go_on) store(materials_.spring.get(k), spring);
     if (batch.flags[k])
       *batch.flags[k] |= CONTACT_NORMAL_MODEL | (spring ? CONTACT_TANGENTIAL_MODEL : 0);
   }

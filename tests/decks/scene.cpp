@@ -204,6 +204,13 @@ std::string pair_property(const std::string &name, int types, double value)
   return pair_property(name, types, [value](int, int) { return value; });
 }
 
+std::string lane_by_lane(const std::string &models) { return models + " rolling_friction cdt"; }
+
+std::string no_rolling_friction(int types)
+{
+  return pair_property("coefficientRollingFriction", types, 0.0);
+}
+
 std::string linear_material(double kn, double kt, double restitution, double friction, int types)
 {
   return pair_property("kn", types, kn) + pair_property("kt", types, kt) +

@@ -89,6 +89,11 @@ std::string pair_property(const std::string &name, int types,
                           const std::function<double(int, int)> &value);
 std::string pair_property(const std::string &name, int types, double value);
 
+// Models that do the same as these, one contact after the other through LIGGGHTS's own: with a rolling
+// friction of no strength, which the law that works in batches does not serve. Its property for so many types.
+std::string lane_by_lane(const std::string &models);
+std::string no_rolling_friction(int types);
+
 // model linear's four properties for one material.
 std::string linear_material(double kn, double kt, double restitution, double friction,
                             int types = 1);
