@@ -233,7 +233,8 @@ class BlockSearch {
       for (int k = 0; k < count; ++k) {
         const auto &[i, j, image] = of_batch[k];
         const Capsule &rod_i = rods_[i].capsule, &rod_j = rods_[j].capsule;
-        ClosestPoints points = certain_points(batch, k, rod_i.segment, image);
+        if (batch.uncertain[k] != 0.0) make_certain(batch, k, rod_i.segment, image);
+        ClosestPoints points = batch.get(k);
         const double distance = std::sqrt(points.distance_squared);
         const double gap = distance - (rod_i.radius + rod_j.radius);
         if (!(gap < largest_gap_)) continue;

@@ -33,7 +33,6 @@ struct ContactBatch {
   int spread_count = 0;
 
   double reach(int k) const { return arms.radius_i[k] + arms.radius_j[k]; }
-  double effective_mass(int k) const { return arms.mass_share[k] / loads.inverse_mass[k]; }
   bool can_move(int k) const { return loads.inverse_mass[k] != 0.0; }
   // Of the contact point from the end of arm_i, against the normal (m): midway in the overlap.
   double depth_i(int k) const { return arms.radius_i[k] - 0.5 * (reach(k) - arms.distance[k]); }

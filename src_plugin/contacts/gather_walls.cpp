@@ -32,8 +32,9 @@ double LAMMPS_NS::coupling_of_ends(const RodEnds &ends, double radius,
   return shared * mass_coupling(inverse, ends.arms[0], one.normal, ends.arms[1], other.normal);
 }
 
-void WallGatherer::begin(const FixWallGran &fix, bool effective_mass)
+void WallGatherer::begin(const FixWallGran &fix, bool effective_mass, bool types_are_kinds)
 {
+  types_are_kinds_ = types_are_kinds;
   fix_ = &fix;
   wall_type_ = fix.atom_type_wall();
   turning_ = effective_mass ? 1.0 : 0.0;
@@ -62,7 +63,7 @@ void WallGatherer::add_end(ContactBatch &batch, const MovingWall &wall, int i, i
   batch.j[k] = -1;
   batch.type_i[k] = atom->type[i];
   batch.type_j[k] = wall_type_;
-  batch.kind[k] = RodKinds::kNone;
+  batch.kind[k] = types_are_kinds_ ? atom->type[i] : RodKinds::kNone;
   batch.end[k] = end;
   batch.flags[k] = nullptr;
   batch.history[k] = history;

@@ -29,8 +29,9 @@ class WallGatherer : protected Pointers {
  public:
   explicit WallGatherer(LAMMPS *lmp) : Pointers(lmp) {}
 
-  // At the start of a step. `effective_mass`: whether damping knows of the rod's turning.
-  void begin(const FixWallGran &fix, bool effective_mass);
+  // At the start of a step. `effective_mass`: whether damping knows of the rod's turning. `types_are_kinds`:
+  // all that a law makes of a rod's material follows from its type.
+  void begin(const FixWallGran &fix, bool effective_mass, bool types_are_kinds);
 
   // Adds the ends of rod i that touch to the batch, which must have room for two. `history`: of both
   // ends, null without. Ends that do not touch are named to `part(end)`.
@@ -56,6 +57,7 @@ class WallGatherer : protected Pointers {
  private:
   const FixWallGran *fix_ = nullptr;
   int wall_type_ = 0;
+  bool types_are_kinds_ = false;
   double turning_ = 1.0;  // share of the rod's turning that damping knows of
 
   struct Inertia {

@@ -190,29 +190,22 @@ void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &h
     gatherer_.fill(batch_, touching, first, histories, keywords_.spread_contact);
     law_->evaluate(batch_);
     add_spread(batch_);
-    look_at_batch();
-    if (pair.computeflag() && pair.shearupdate()) keep_sides(histories);
+    look_at_batch(pair.computeflag() && pair.shearupdate() && histories.remember_sides());
     if (pair.computeflag()) scatter_pairs(batch_, pair, *atom);
     show(batch_, observers);
   }
 }
 
-void GranularPairSpherocylinder::look_at_batch()
+void GranularPairSpherocylinder::look_at_batch(bool keep_sides)
 {
   for (int k = 0; k < batch_.count; k++) {
     const int i = batch_.i[k], j = batch_.j[k];
-    const double reach = batch_.reach(k), overlap = batch_.arms.overlap[k];
-    sudden_overlaps_.look(i, j, overlap / reach, batch_.can_move(k));
-    if (batch_.can_move(k))
-      monitor_.look(i, j, batch_.loads.stiffness[k], batch_.effective_mass(k), overlap, reach);
+    const double reach = batch_.reach(k), overlap = batch_.arms.overlap[k], depth = overlap / reach;
+    const bool can_move = batch_.can_move(k);
+    sudden_overlaps_.look(i, j, depth, can_move);
+    if (!can_move) continue;
+    monitor_.look(i, j, batch_.loads.stiffness[k], batch_.loads.effective_mass[k], overlap, reach);
+    if (keep_sides)
+      store(remembered_side(batch_.arms.normal.get(k), depth), batch_.history[k] + side_);
   }
-}
-
-void GranularPairSpherocylinder::keep_sides(const PairHistories &histories)
-{
-  if (!histories.remember_sides()) return;
-  for (int k = 0; k < batch_.count; k++)
-    if (batch_.can_move(k))
-      store(remembered_side(batch_.arms.normal.get(k), batch_.arms.overlap[k] / batch_.reach(k)),
-            batch_.history[k] + side_);
 }

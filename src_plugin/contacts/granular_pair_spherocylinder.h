@@ -62,8 +62,7 @@ class GranularPairSpherocylinder : private Pointers, public LIGGGHTS::PairStyles
   void bring_pairs_up_to_date(PairGran &pair, bool migrated);
   void part(const PairHistories &histories);
   void work_out(PairGran &pair, const PairHistories &histories);
-  void keep_sides(const PairHistories &histories);
-  void look_at_batch();
+  void look_at_batch(bool keep_sides);
 };
 
 }  // namespace LAMMPS_NS

@@ -89,7 +89,7 @@ void GranularWallSpherocylinder::compute_forces(FixWallGran &fix, const MovingWa
     observers.push_back(&rows.emplace(lmp, *wanted, &fix));
 
   law_->begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});
-  gatherer_.begin(fix, keywords_.effective_mass);
+  gatherer_.begin(fix, keywords_.effective_mass, !keywords_.linear.aspect_scaling);
   for (const int i : rods) {
     double *values = history ? history[i] : nullptr;
     gatherer_.add(batch_, wall, i, values, [&](int end) {
@@ -105,7 +105,7 @@ void GranularWallSpherocylinder::finish_batch(bool adds_forces, const ContactObs
 {
   law_->evaluate(batch_);
   for (int k = 0; k < batch_.count; k++)
-    monitor_.look(batch_.i[k], -1, batch_.loads.stiffness[k], batch_.effective_mass(k),
+    monitor_.look(batch_.i[k], -1, batch_.loads.stiffness[k], batch_.loads.effective_mass[k],
                   batch_.arms.overlap[k], 2.0 * batch_.arms.radius_i[k]);
   if (adds_forces) scatter_walls(batch_, *atom);
   show(batch_, observers);

@@ -177,7 +177,7 @@ void StockLaw<ContactModel>::fill(const ContactBatch &batch, int k)
   sidata_.rinv = sidata_.r != 0.0 ? 1.0 / sidata_.r : 0.0;
   sidata_.cri = batch.depth_i(k);
   sidata_.crj = is_wall_ ? 0.0 : batch.depth_j(k);
-  sidata_.meff = batch.effective_mass(k);
+  sidata_.meff = batch.loads.effective_mass[k];
   store(arms.normal.get(k), sidata_.en);
   store(arms.distance[k] * arms.normal.get(k), sidata_.delta);
   sidata_.kn = sidata_.kt = 0.0;  // a stock model need not set them
@@ -208,6 +208,7 @@ void StockLaw<ContactModel>::evaluate(ContactBatch &batch)
     arms.distance[k] = place.distance;
     arms.overlap[k] = place.overlap;
     batch.loads.inverse_mass[k] = place.inverse_mass;
+    batch.loads.effective_mass[k] = arms.mass_share[k] / place.inverse_mass;
     if (!batch.can_move(k)) continue;
     store(place.velocity_i, velocity_i_);
     store(place.velocity_j, velocity_j_);

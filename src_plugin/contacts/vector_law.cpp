@@ -64,7 +64,7 @@ bool VectorLaw::properties_have_changed()
 void VectorLaw::begin(const LawStep &step)
 {
   law_.dt = step.dt;
-  law_.springs_go_on = step.springs_go_on;
+  law_.spring_dt = step.springs_go_on ? step.dt : 0.0;
   if (properties_have_changed()) std::fill_n(kinds_, kBatch, RodKinds::kNone);
 }
 
@@ -83,32 +83,30 @@ void VectorLaw::set_materials(const ContactBatch &batch, int k)
   kinds_[k] = batch.kind[k];
 }
 
-double *VectorLaw::spring_of(double *history, int end) const
-{
-  return history && springs_[end] >= 0 ? history + springs_[end] : nullptr;
-}
-
 void VectorLaw::evaluate(ContactBatch &batch)
 {
-  for (int k = 0; k < batch.count; k++) {
+  for (int k = 0; k < batch.count; k++)
     if (batch.kind[k] == RodKinds::kNone || batch.kind[k] != kinds_[k]) set_materials(batch, k);
-    const double *spring = spring_of(batch.history[k], batch.end[k]);
-    materials_.spring.set(k, spring ? load(spring) : kZero);
-  }
+  const bool has_springs = springs_[0] >= 0;
+  if (has_springs)
+    for (int k = 0; k < batch.count; k++)
+      materials_.spring.set(k, load(batch.history[k] + springs_[batch.end[k]]));
+
   linear_contacts(batch.arms, materials_, law_, batch.loads);
 
+  if (has_springs && law_.spring_dt > 0.0)
+    for (int k = 0; k < batch.count; k++)
+      if (batch.can_move(k))
+        store(materials_.spring.get(k), batch.history[k] + springs_[batch.end[k]]);
+  if (batch.is_wall) return;
   using namespace LIGGGHTS::ContactModels;
-  for (int k = 0; k < batch.count; k++) {
-    if (!batch.can_move(k)) continue;
-    double *spring = spring_of(batch.history[k], batch.end[k]);
-    if (spring && law_.springs_go_on) store(materials_.spring.get(k), spring);
-    if (batch.flags[k])
-      *batch.flags[k] |= CONTACT_NORMAL_MODEL | (spring ? CONTACT_TANGENTIAL_MODEL : 0);
-  }
+  const int flag = CONTACT_NORMAL_MODEL | (has_springs ? CONTACT_TANGENTIAL_MODEL : 0);
+  for (int k = 0; k < batch.count; k++)
+    if (batch.flags[k] && batch.can_move(k)) *batch.flags[k] |= flag;
 }
 
 void VectorLaw::part(int, int, int end, int *flags, double *history)
 {
   if (flags) *flags = 0;
-  if (double *spring = spring_of(history, end)) store(kZero, spring);
+  if (history && springs_[0] >= 0) store(kZero, history + springs_[end]);
 }

@@ -18,8 +18,8 @@ class VectorLaw : public ContactLaw, protected Pointers {
  public:
   explicit VectorLaw(LAMMPS *lmp);
 
-  // After the models have registered their properties. `springs`: where the histories keep the
-  // tangential spring of end 0 and 1.
+  // After the models have registered their properties. `springs`: where the histories, which then are
+  // there, keep the tangential spring of end 0 and 1; -1 for none.
   void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential,
                const LinearKeywords &keywords, const int (&springs)[2]);
 
@@ -41,7 +41,6 @@ class VectorLaw : public ContactLaw, protected Pointers {
 
   bool properties_have_changed();
   void set_materials(const ContactBatch &batch, int k);
-  double *spring_of(double *history, int end) const;
 };
 
 }  // namespace LAMMPS_NS

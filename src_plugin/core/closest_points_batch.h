@@ -18,7 +18,7 @@ struct SegmentPairs {
   Doubles s, t;
   Vec3s delta;
   Doubles distance_squared;
-  // Not 0 where rounding could have misled the batch: certain_points must be asked.
+  // Not 0 where rounding could have misled the batch: make_certain must be asked.
   Doubles uncertain;
   // Not 0 where spread_contact might move the contact (it decides); always 0 for reach 0.
   Doubles nearly_parallel;
@@ -42,11 +42,14 @@ struct SegmentPairs {
 // clamp was against the gradient it stays, and a clamp on j is followed by the best s on that side.
 void closest_points(SegmentPairs &pairs);
 
-// Those of pair k, set from these two segments: the batch's, or where it is uncertain, worked out alone.
-inline ClosestPoints certain_points(const SegmentPairs &pairs, int k, const Segment &i,
-                                    const Segment &j)
+// Pair k, of which the batch is uncertain and which was set from these two segments, by itself.
+inline void make_certain(SegmentPairs &pairs, int k, const Segment &i, const Segment &j)
 {
-  return pairs.uncertain[k] != 0.0 ? closest_points(i, j) : pairs.get(k);
+  const ClosestPoints points = closest_points(i, j);
+  pairs.s[k] = points.s;
+  pairs.t[k] = points.t;
+  pairs.delta.set(k, points.delta);
+  pairs.distance_squared[k] = points.distance_squared;
 }
 
 }  // namespace spherocylinder

@@ -30,6 +30,7 @@ struct ContactLoads {
   Vec3s torque_i, torque_j;  // about the centres
   Doubles stiffness, tangential_stiffness;  // N/m
   Doubles inverse_mass;      // 1/m_eff; 0 if neither can move: the rest are no numbers then
+  Doubles effective_mass;    // that damping goes by: the contact's share of m_eff (kg)
 };
 
 // One contact of a batch on its way to a law.

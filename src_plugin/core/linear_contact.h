@@ -15,8 +15,8 @@ struct LinearLaw {
   bool tangential_damping;
   bool limit_force;     // the normal force does not pull
   SliderLimits slider;  // of Tangential::History
-  bool springs_go_on;   // in this step
   double dt;            // s
+  double spring_dt;     // s, by which springs go on: dt, or 0 where forces are worked out once more
 };
 
 // Of each contact.

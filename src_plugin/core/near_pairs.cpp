@@ -171,9 +171,9 @@ void NearPairs::keep_near(const std::vector<Capsule> &rods, int i, double gap)
                  rods[i].radius + rods[js[k]].radius + gap);
     closest_points(batch_);
     for (int k = 0; k < count; k++) {
-      const double distance_squared =
-          certain_points(batch_, k, rods[i].segment, rods[js[k]].segment).distance_squared;
-      if (distance_squared < batch_.reach[k] * batch_.reach[k]) partners_.push_back(js[k]);
+      if (batch_.uncertain[k] != 0.0)
+        make_certain(batch_, k, rods[i].segment, rods[js[k]].segment);
+      if (batch_.distance_squared[k] < batch_.reach[k] * batch_.reach[k]) partners_.push_back(js[k]);
     }
   }
 }

@@ -28,13 +28,16 @@ void TouchingRodPairs::find(const std::vector<CloseRodPairs::Entry> &close,
 
     for (int k = 0; k < count; k++) {
       const CloseRodPairs::Entry &entry = entries[k];
-      const int first = swapped[k] ? entry.j : entry.i, second = swapped[k] ? entry.i : entry.j;
-      ClosestPoints points = certain_points(batch_, k, rods[first].segment, rods[second].segment);
+      if (batch_.uncertain[k] != 0.0) {
+        const int first = swapped[k] ? entry.j : entry.i, second = swapped[k] ? entry.i : entry.j;
+        make_certain(batch_, k, rods[first].segment, rods[second].segment);
+      }
       const double reach = batch_.reach[k];
-      if (points.distance_squared >= reach * reach) {
+      if (batch_.distance_squared[k] >= reach * reach) {
         if (contact_flags && contact_flags[entry.i][entry.index]) parted_.push_back(entry);
         continue;
       }
+      ClosestPoints points = batch_.get(k);
       if (swapped[k]) points = {points.t, points.s, -points.delta, points.distance_squared};
       // Where the batch is uncertain, spread_contact is to look for itself.
       touching_.push_back({entry.i, entry.j, entry.index, points,
