@@ -231,18 +231,16 @@ void ComputeGranLocalSpherocylinder::add_row(const Contact &contact)
     nmax = std::max(2 * nmax, 1024);
     memory->grow(array, nmax, nvalues, "gran/local:array");
   }
-  const Vec3 force_normal = along(contact.force, contact.normal);
-  const Vec3 torque_normal = along(contact.torque, contact.normal);
   double *out = array[rows_++];
   if (posflag) out = put(put(out, contact.positions[0]), contact.positions[1]);
   if (velflag) out = put(put(out, contact.velocities[0]), contact.velocities[1]);
   if (idflag) out = std::copy_n(contact.ids, 3, out);
   if (fflag) out = put(out, contact.force);
-  if (fnflag) out = put(out, force_normal);
-  if (ftflag) out = put(out, contact.force - force_normal);
+  if (fnflag) out = put(out, along(contact.force, contact.normal));
+  if (ftflag) out = put(out, contact.force - along(contact.force, contact.normal));
   if (torqueflag) out = put(out, contact.torque);
-  if (torquenflag) out = put(out, torque_normal);
-  if (torquetflag) out = put(out, contact.torque - torque_normal);
+  if (torquenflag) out = put(out, along(contact.torque, contact.normal));
+  if (torquetflag) out = put(out, contact.torque - along(contact.torque, contact.normal));
   if (histflag) out = std::copy_n(contact.history, dnum, out);
   if (areaflag) *out++ = contact.area;
   if (deltaflag) *out++ = contact.overlap;
