@@ -38,7 +38,7 @@ std::vector<Segment> random_segments(double lambda)
   std::mt19937 random(104729);
   std::uniform_real_distribution<double> place(0.0, 0.5 * lambda);
   std::vector<Segment> segments;
-  for (int k = 0; k < kRods; ++k)
+  for (int k = 0; k < kRods; k++)
     segments.push_back({{place(random), place(random), place(random)},
                         random_direction(random),
                         0.5 * (lambda - 1.0)});
@@ -52,7 +52,7 @@ void over_pairs(benchmark::State &state, Query query)
   size_t k = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(query(segments[k % kRods], segments[(7 * k + 1) % kRods]));
-    ++k;
+    k++;
   }
 }
 

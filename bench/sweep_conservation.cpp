@@ -38,13 +38,13 @@ void report(ResultsFile &csv, const std::string &what, long steps, const Conserv
 
 TEST(SweepConservation, MomentumAndAngularMomentum)
 {
-  constexpr long steps = 100000;
+  constexpr long kSteps = 100000;
   ResultsFile csv("conservation_momentum.csv",
                   "quantity,steps,collisions,kinetic_energy_left,largest_relative_change");
-  const Conserved linear = momentum_in_periodic_gas(mixed_lengths(), steps);
-  report(csv, "momentum (periodic)", steps, linear);
-  const Conserved angular = angular_momentum_in_a_trap(mixed_lengths(), steps);
-  report(csv, "angular momentum (trap)", steps, angular);
+  const Conserved linear = momentum_in_periodic_gas(mixed_lengths(), kSteps);
+  report(csv, "momentum (periodic)", kSteps, linear);
+  const Conserved angular = angular_momentum_in_a_trap(mixed_lengths(), kSteps);
+  report(csv, "angular momentum (trap)", kSteps, angular);
   expect_holds({"500 rods, 10^5 steps: momentum, relative", "conserved", 1e-12}, linear.error);
   expect_holds({"500 rods, 10^5 steps: angular momentum, relative", "conserved", 1e-12},
                angular.error);
@@ -53,7 +53,7 @@ TEST(SweepConservation, MomentumAndAngularMomentum)
 // At the closest points, whose contacts hold k overlap^2/2 each. Units: the initial energy of one rod.
 TEST(SweepConservation, EnergyOfAnElasticGas)
 {
-  constexpr double contacts = 100.0;  // duration in shortest contacts
+  constexpr double kContacts = 100.0;  // duration in shortest contacts
   ResultsFile csv("conservation_energy.csv",
                   "aspect_ratio,steps_per_shortest_contact,dt_s,collisions,"
                   "drift_per_collision_over_energy_of_a_rod,"
@@ -64,7 +64,7 @@ TEST(SweepConservation, EnergyOfAnElasticGas)
     gas.volume_fraction = aspect_ratio < 5.0 ? 0.2 : aspect_ratio < 20.0 ? 0.1 : 0.04;
     std::vector<double> dt, errors;
     for (const int steps : {20, 40, 80, 160, 320}) {
-      const EnergyDrift d = energy_of_elastic_gas(gas, steps, contacts, false);
+      const EnergyDrift d = energy_of_elastic_gas(gas, steps, kContacts, false);
       csv.row("{},{},{:.3e},{:.0f},{:.2e},{:.2e},{:.2e}", aspect_ratio, steps, d.dt, d.collisions,
               d.drift / d.collisions, d.largest, d.largest / std::sqrt(d.collisions));
       fmt::print("lambda {:<3} {:>4} steps: {:.0f} collisions, drift per collision {:+.1e}, largest "

@@ -114,7 +114,7 @@ TEST(SweepGeometry, AllFamilies)
   for (const Family &family : families()) {
     RandomRods random(15485863);
     Worst worst;
-    for (int k = 0; k < kPairs; ++k) worst.add(any_size(family, random));
+    for (int k = 0; k < kPairs; k++) worst.add(any_size(family, random));
     csv.row("{},{},{},{:.2e},{:.2f},{},{:.1e},{:.2f},{:.2f},{:.1e},{:.1e},{},{}", family.name,
             kPairs, worst.resolved, worst.relative, worst.of_epsilons, worst.touching,
             worst.of_diameter, worst.swapped, worst.reversed, worst.spread_swapped,

@@ -124,14 +124,14 @@ TEST(SweepRestitution, OfOneOscillatorInTheSameScheme)
     for (const int steps : kSteps)
       for (const double e : {0.1, 0.5, 0.9, 1.0}) {
         double worst = 0.0, sum = 0.0;
-        constexpr int phases = 100;
-        for (int k = 0; k < phases; k++) {
+        constexpr int kPhases = 100;
+        for (int k = 0; k < kPhases; k++) {
           const double error =
-              restitution_of_scheme(e, pi / (steps + 0.37), (k + 0.5) / phases, half) / e - 1.0;
+              restitution_of_scheme(e, pi / (steps + 0.37), (k + 0.5) / kPhases, half) / e - 1.0;
           worst = std::max(worst, std::fabs(error));
           sum += error;
         }
         csv.row("{},{},{},{:.2e},{:.2e}", steps, e, half ? "half_step" : "full_step", worst,
-                sum / phases);
+                sum / kPhases);
       }
 }

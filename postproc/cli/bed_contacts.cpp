@@ -14,14 +14,14 @@ namespace {
 
 // Pairs in doubt are looked for up to this gap, in diameters of the thickest rod, beyond the one
 // asked for: where the digits leave more open, as of a rod far away, they tell nothing at all.
-constexpr double most_doubt = 0.1;
+constexpr double kMostDoubt = 0.1;
 
 ContactNumbers contact_numbers(const std::vector<std::uint32_t> &of_rods)
 {
   ContactNumbers numbers{mean_of(of_rods, [](std::uint32_t k) { return static_cast<double>(k); }),
                          {}};
   numbers.rods_with.resize(*std::max_element(of_rods.begin(), of_rods.end()) + 1);
-  for (const std::uint32_t k : of_rods) ++numbers.rods_with[k];
+  for (const std::uint32_t k : of_rods) numbers.rods_with[k]++;
   return numbers;
 }
 
@@ -91,7 +91,7 @@ BedContacts measure_contacts(const Bed &bed, const std::optional<Vessel> &vessel
   const double largest_gap = gap * largest_diameter(rods);
   const std::vector<double> roundings = place_roundings(bed.frame, rods);
   const double doubt = std::min(2.0 * *std::max_element(roundings.begin(), roundings.end()),
-                                most_doubt * largest_diameter(rods));
+                                kMostDoubt * largest_diameter(rods));
   std::vector<ClosePair> &pairs = found.pairs;
   pairs = close_pairs(rods, periodicity_of(bed.frame), largest_gap + doubt, largest_gap);
   found.doubtful_pairs = std::count_if(pairs.begin(), pairs.end(), [&](const ClosePair &pair) {

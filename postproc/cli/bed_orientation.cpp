@@ -14,12 +14,12 @@
 namespace spherocylinder {
 namespace {
 
-constexpr double most_wall_bins = 10000;
-constexpr std::size_t most_axes_of_bin = 2000;  // of a bin of the distance, paired
-constexpr double packing_tolerance = 1e-4;  // relative, of the rods' volume in the inner cylinder
+constexpr double kMostWallBins = 10000;
+constexpr std::size_t kMostAxesOfBin = 2000;  // of a bin of the distance, paired
+constexpr double kPackingTolerance = 1e-4;  // relative, of the rods' volume in the inner cylinder
 
-constexpr OverFiles same = OverFiles::same, sum = OverFiles::sum, mean = OverFiles::mean,
-                    error = OverFiles::error, scatter = OverFiles::scatter;
+constexpr OverFiles kSame = OverFiles::Same, kSum = OverFiles::Sum, kMean = OverFiles::Mean,
+                    kError = OverFiles::Error, kScatter = OverFiles::Scatter;
 
 std::vector<Rod> without_spheres(const std::vector<Rod> &rods)
 {
@@ -38,8 +38,8 @@ double mean_lambda(const std::vector<Rod> &rods)
 MeanWithError random_contact(double lambda, const MeanWithError &sin_gamma, double half_contacts)
 {
   const auto at = [&](double s) { return random_contact_fraction(lambda, s, half_contacts); };
-  constexpr double step = 1e-4;
-  const double slope = (at(sin_gamma.mean + step) - at(sin_gamma.mean - step)) / (2.0 * step);
+  constexpr double kStep = 1e-4;
+  const double slope = (at(sin_gamma.mean + kStep) - at(sin_gamma.mean - kStep)) / (2.0 * kStep);
   return {at(sin_gamma.mean), std::abs(slope) * sin_gamma.error};
 }
 
@@ -74,9 +74,9 @@ double wall_distance(const Rod &rod, const Vessel &vessel, NearWall wall)
   const double to_side = vessel.radius - std::hypot(c.x - vessel.x, c.y - vessel.y);
   const double to_floor = c.z - vessel.floor;
   switch (wall) {
-    case NearWall::side: return to_side;
-    case NearWall::floor: return to_floor;
-    case NearWall::nearest: break;
+    case NearWall::Side: return to_side;
+    case NearWall::Floor: return to_floor;
+    case NearWall::Nearest: break;
   }
   return std::min(to_side, to_floor);
 }
@@ -87,19 +87,19 @@ std::vector<WallBin> by_wall(const std::vector<Rod> &rods, double width,
   std::vector<std::vector<Rod>> rods_of_bin;
   for (const Rod &rod : rods) {
     const double distance = wall_distance(rod, *options.vessel, options.wall);
-    if (!(distance / width < most_wall_bins))
+    if (!(distance / width < kMostWallBins))
       throw InputError(
           fmt::format("--wall-width: {} m make more than {} bins up to a rod {} m from "
                       "the wall, wanted a larger width",
-                      width, most_wall_bins, distance));
+                      width, kMostWallBins, distance));
     const auto bin = static_cast<std::size_t>(distance / width);
     if (bin >= rods_of_bin.size()) rods_of_bin.resize(bin + 1);
     rods_of_bin[bin].push_back(rod);
   }
   std::vector<WallBin> bins;
-  for (std::size_t k = 0; k < rods_of_bin.size(); ++k)
+  for (std::size_t k = 0; k < rods_of_bin.size(); k++)
     bins.push_back({width * static_cast<double>(k), width * static_cast<double>(k + 1),
-                    order_of(rods_of_bin[k], options, most_axes_of_bin),
+                    order_of(rods_of_bin[k], options, kMostAxesOfBin),
                     elevation_histogram(axes_of(rods_of_bin[k]), options.bins, options.spacing)});
   return bins;
 }
@@ -110,7 +110,7 @@ MeasuredFraction measured_fraction(const Bed &bed, const OrientationOptions &opt
 {
   const UprightCylinder whole = vessel_up_to(*options.vessel, bed_height(bed.rods).highest_centre);
   need_height(bed, whole);
-  const double inner = solid_fraction(bed.rods, inner_half(whole), packing_tolerance).fraction;
+  const double inner = solid_fraction(bed.rods, inner_half(whole), kPackingTolerance).fraction;
   return {total_volume(bed.rods) / volume(whole), inner,
           inner / random_contact_fraction(lambda, sin_gamma, 1.0)};
 }
@@ -149,7 +149,7 @@ Fields<Order> order_fields()
 {
   using O = Order;
   Fields<O> fields;
-  fields.add("rods", sum, [](const O &o) { return o.rods; });
+  fields.add("rods", kSum, [](const O &o) { return o.rods; });
   fields.add_mean("mean_elevation", [](const O &o) { return in_degrees(o.elevation); }, "_deg");
   fields.add_mean("mean_abs_uz", [](const O &o) { return o.abs_uz; });
   fields.add_mean("mean_uz2", [](const O &o) { return o.uz_squared; });
@@ -177,13 +177,13 @@ auto of_measured(Number number)
 void add_elevation_fields(Fields<ElevationRow> &fields)
 {
   using R = ElevationRow;
-  fields.add("bin", same, [](const R &r) { return r.number; });
-  fields.add("elevation_low_deg", same, [](const R &r) { return r.bin.low * degrees; });
-  fields.add("elevation_high_deg", same, [](const R &r) { return r.bin.high * degrees; });
-  fields.add("count", sum, [](const R &r) { return r.bin.count; });
+  fields.add("bin", kSame, [](const R &r) { return r.number; });
+  fields.add("elevation_low_deg", kSame, [](const R &r) { return r.bin.low * degrees; });
+  fields.add("elevation_high_deg", kSame, [](const R &r) { return r.bin.high * degrees; });
+  fields.add("count", kSum, [](const R &r) { return r.bin.count; });
   fields.add_mean("fraction", [](const R &r) { return r.bin.part; });
-  fields.add("isotropic_fraction", same, [](const R &r) { return r.bin.isotropic_fraction; });
-  fields.add("isotropic_scatter", scatter, [](const R &r) { return r.bin.isotropic_scatter; });
+  fields.add("isotropic_fraction", kSame, [](const R &r) { return r.bin.isotropic_fraction; });
+  fields.add("isotropic_scatter", kScatter, [](const R &r) { return r.bin.isotropic_scatter; });
   fields.add_mean("density", [](const R &r) { return r.bin.density(); });
 }
 
@@ -201,13 +201,13 @@ BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options)
   BedOrientation found{};
   found.step = bed.frame.step;
   found.lambda = mean_lambda(rods);
-  found.order = order_of(rods, options, most_axes_paired);
+  found.order = order_of(rods, options, kMostAxesPaired);
   found.tensor = nematic_tensor(axes);
   found.histogram = elevation_histogram(axes, options.bins, options.spacing);
   found.chi_squared = chi_squared_isotropic(found.histogram, axes.size());
   measure_near_pairs(bed, rods, options.near, found);
   found.random_contact_isotropic =
-      random_contact_fraction(found.lambda, isotropic_sin_gamma, options.half_contacts);
+      random_contact_fraction(found.lambda, kIsotropicSinGamma, options.half_contacts);
   if (has_side(options.vessel))
     found.measured = measured_fraction(bed, options, found.lambda, found.order.sin_gamma.mean);
   if (!options.vessel) return found;
@@ -223,47 +223,47 @@ Fields<BedOrientation> orientation_fields()
   using B = BedOrientation;
   Fields<B> fields;
   const auto add_constant = [&](const std::string &name, double value) {
-    fields.add(name, same, [value](const B &) { return value; });
+    fields.add(name, kSame, [value](const B &) { return value; });
   };
-  fields.add("step", same, [](const B &b) { return b.step; });
+  fields.add("step", kSame, [](const B &b) { return b.step; });
   fields.add_part(order_fields(), [](const B &b) { return b.order; });
-  add_constant("mean_elevation_isotropic_deg", isotropic_mean_elevation * degrees);
-  add_constant("mean_abs_uz_isotropic", isotropic_mean_abs_uz);
-  add_constant("mean_uz2_isotropic", isotropic_mean_uz_squared);
-  add_constant("mean_sin_gamma_isotropic", isotropic_sin_gamma);
-  fields.add("nematic_order_squared_isotropic_scatter", scatter,
+  add_constant("mean_elevation_isotropic_deg", kIsotropicMeanElevation * degrees);
+  add_constant("mean_abs_uz_isotropic", kIsotropicMeanAbsUz);
+  add_constant("mean_uz2_isotropic", kIsotropicMeanUzSquared);
+  add_constant("mean_sin_gamma_isotropic", kIsotropicSinGamma);
+  fields.add("nematic_order_squared_isotropic_scatter", kScatter,
              [](const B &b) { return isotropic_scatter_of_squared_order(b.order.rods); });
-  fields.add("director_x", same, [](const B &b) { return b.order.nematic.director.x; });
-  fields.add("director_y", same, [](const B &b) { return b.order.nematic.director.y; });
-  fields.add("director_z", same, [](const B &b) { return b.order.nematic.director.z; });
-  fields.add("q_xx", mean, [](const B &b) { return b.tensor.xx; });
-  fields.add("q_yy", mean, [](const B &b) { return b.tensor.yy; });
-  fields.add("q_zz", mean, [](const B &b) { return b.tensor.zz; });
-  fields.add("q_xy", mean, [](const B &b) { return b.tensor.xy; });
-  fields.add("q_xz", mean, [](const B &b) { return b.tensor.xz; });
-  fields.add("q_yz", mean, [](const B &b) { return b.tensor.yz; });
-  fields.add("azimuth_deg", same, [](const B &b) { return b.order.azimuthal.azimuth * degrees; });
-  fields.add("sin_gamma_axes", sum,
-             [](const B &b) { return std::min(b.order.rods, most_axes_paired); });
-  fields.add("near_pairs", sum, [](const B &b) { return b.near_pairs; });
+  fields.add("director_x", kSame, [](const B &b) { return b.order.nematic.director.x; });
+  fields.add("director_y", kSame, [](const B &b) { return b.order.nematic.director.y; });
+  fields.add("director_z", kSame, [](const B &b) { return b.order.nematic.director.z; });
+  fields.add("q_xx", kMean, [](const B &b) { return b.tensor.xx; });
+  fields.add("q_yy", kMean, [](const B &b) { return b.tensor.yy; });
+  fields.add("q_zz", kMean, [](const B &b) { return b.tensor.zz; });
+  fields.add("q_xy", kMean, [](const B &b) { return b.tensor.xy; });
+  fields.add("q_xz", kMean, [](const B &b) { return b.tensor.xz; });
+  fields.add("q_yz", kMean, [](const B &b) { return b.tensor.yz; });
+  fields.add("azimuth_deg", kSame, [](const B &b) { return b.order.azimuthal.azimuth * degrees; });
+  fields.add("sin_gamma_axes", kSum,
+             [](const B &b) { return std::min(b.order.rods, kMostAxesPaired); });
+  fields.add("near_pairs", kSum, [](const B &b) { return b.near_pairs; });
   fields.add_mean("near_sin_gamma", [](const B &b) { return b.near_sin_gamma; });
-  fields.add("lambda_mean", mean, [](const B &b) { return b.lambda; });
-  fields.add("vf_random_contact_isotropic", mean,
+  fields.add("lambda_mean", kMean, [](const B &b) { return b.lambda; });
+  fields.add("vf_random_contact_isotropic", kMean,
              [](const B &b) { return b.random_contact_isotropic; });
   using M = MeasuredFraction;
   fields.add_mean("vf_whole", of_measured([](const M &m) { return m.whole; }));
   fields.add_mean("vf_inner", of_measured([](const M &m) { return m.inner; }));
   fields.add_mean("half_contacts_of_vf_inner",
                   of_measured([](const M &m) { return m.half_contacts; }));
-  fields.add("chi2_isotropic", mean, [](const B &b) { return b.chi_squared; });
-  fields.add("chi2_degrees_of_freedom", same, [](const B &b) { return b.histogram.size() - 1; });
+  fields.add("chi2_isotropic", kMean, [](const B &b) { return b.chi_squared; });
+  fields.add("chi2_degrees_of_freedom", kSame, [](const B &b) { return b.histogram.size() - 1; });
   return fields;
 }
 
 Fields<ElevationRow> elevation_fields()
 {
   Fields<ElevationRow> fields;
-  fields.add("step", same, [](const ElevationRow &r) { return r.step; });
+  fields.add("step", kSame, [](const ElevationRow &r) { return r.step; });
   add_elevation_fields(fields);
   return fields;
 }
@@ -272,9 +272,9 @@ Fields<ElevationRow> wall_elevation_fields()
 {
   using R = ElevationRow;
   Fields<R> fields;
-  fields.add("step", same, [](const R &r) { return r.step; });
-  fields.add("distance_low_m", same, [](const R &r) { return r.low; });
-  fields.add("distance_high_m", same, [](const R &r) { return r.high; });
+  fields.add("step", kSame, [](const R &r) { return r.step; });
+  fields.add("distance_low_m", kSame, [](const R &r) { return r.low; });
+  fields.add("distance_high_m", kSame, [](const R &r) { return r.high; });
   add_elevation_fields(fields);
   return fields;
 }
@@ -283,9 +283,9 @@ Fields<WallRow> wall_fields()
 {
   using R = WallRow;
   Fields<R> fields;
-  fields.add("step", same, [](const R &r) { return r.step; });
-  fields.add("distance_low_m", same, [](const R &r) { return r.bin.low; });
-  fields.add("distance_high_m", same, [](const R &r) { return r.bin.high; });
+  fields.add("step", kSame, [](const R &r) { return r.step; });
+  fields.add("distance_low_m", kSame, [](const R &r) { return r.bin.low; });
+  fields.add("distance_high_m", kSame, [](const R &r) { return r.bin.high; });
   fields.add_part(order_fields(), [](const R &r) { return r.bin.order; });
   return fields;
 }

@@ -13,16 +13,16 @@
 
 namespace spherocylinder {
 
-enum class NearWall { nearest, side, floor };
+enum class NearWall { Nearest, Side, Floor };
 
 struct OrientationOptions {
   std::optional<Vessel> vessel;
   std::size_t bins = 18;
-  BinSpacing spacing = BinSpacing::equal_solid_angle;
-  NearWall wall = NearWall::nearest;  // that distances are taken from
+  BinSpacing spacing = BinSpacing::EqualSolidAngle;
+  NearWall wall = NearWall::Nearest;  // that distances are taken from
   std::optional<double> wall_width;   // of a bin of the distance (m)
   double near = 0.1;                  // gap of near rods, in diameters of the thickest
-  double half_contacts = half_contacts_per_rod;
+  double half_contacts = kHalfContactsPerRod;
 };
 
 // What is measured of any set of rods: a bed, or those at some distance from a wall.

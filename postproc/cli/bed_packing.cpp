@@ -19,7 +19,7 @@
 namespace spherocylinder {
 namespace {
 
-constexpr std::size_t pairs_a_piece = 1024;
+constexpr std::size_t kPairsAPiece = 1024;
 
 AspectRatios aspect_ratios(const std::vector<Rod> &rods)
 {
@@ -53,21 +53,21 @@ struct Overlap {
 
 // A pair's volume is asked for to this part: overlaps are some percent of the solid, so that the
 // solid's error is a hundred times smaller.
-constexpr double overlap_tolerance = 1e-2;
+constexpr double kOverlapTolerance = 1e-2;
 
 std::vector<Overlap> overlaps_of(const Bed &bed)
 {
   const auto pairs = close_pairs(bed.rods, periodicity_of(bed.frame), 0.0);
   std::vector<Overlap> overlaps(pairs.size());
-  for_each_piece(pairs.size(), pairs_a_piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
+  for_each_piece(pairs.size(), kPairsAPiece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; k++) {
       const ClosePair &pair = pairs[k];
       const Capsule &i = bed.rods[pair.i].capsule;
       Capsule j = bed.rods[pair.j].capsule;
       const Vec3 p = i.segment.at(pair.s);
       const Vec3 q = p - (pair.gap + i.radius + j.radius) * pair.normal;
       j.segment.centre = q - pair.t * j.segment.axis;  // of the image that is near
-      overlaps[k] = {0.5 * (p + q), overlap_volume(i, j, overlap_tolerance)};
+      overlaps[k] = {0.5 * (p + q), overlap_volume(i, j, kOverlapTolerance)};
     }
   });
   return overlaps;
@@ -94,9 +94,9 @@ std::vector<Rod> rods_reaching(const Bed &bed, const UprightBox &region)
     const Images x = images(rod, 0, c.x, u.x, region.x_low, region.x_high);
     const Images y = images(rod, 1, c.y, u.y, region.y_low, region.y_high);
     const Images z = images(rod, 2, c.z, u.z, region.z_low, region.z_high);
-    for (int i = x.first; i <= x.last; ++i)
-      for (int j = y.first; j <= y.last; ++j)
-        for (int k = z.first; k <= z.last; ++k) {
+    for (int i = x.first; i <= x.last; i++)
+      for (int j = y.first; j <= y.last; j++)
+        for (int k = z.first; k <= z.last; k++) {
           Rod image = rod;
           image.capsule.segment.centre = c + Vec3{i * x.side, j * y.side, k * z.side};
           if (!misses(region, image.capsule)) found.push_back(image);
@@ -285,7 +285,7 @@ std::vector<Rod> with_images(const Bed &bed)
     const double z = segment.centre.z;
     const int first = static_cast<int>(std::ceil((low - up - z) / side));
     const int last = static_cast<int>(std::floor((high + up - z) / side));
-    for (int image = first; image <= last; ++image) {
+    for (int image = first; image <= last; image++) {
       segment.centre.z = z + image * side;
       if (image != 0) rods.push_back(rod);
     }
@@ -346,15 +346,15 @@ Fields<BedPacking> packing_fields()
   using P = BedPacking;
   Fields<P> fields;
   const auto add = [&](const std::string &name, auto value) {
-    fields.add(name, OverFiles::mean, value);
+    fields.add(name, OverFiles::Mean, value);
   };
   // With its standard error over several beds.
   const auto add_measured = [&](const std::string &name, auto value, const std::string &unit = "") {
     fields.add_mean(name, [value](const P &p) { return MeanWithError{value(p), none}; }, unit);
   };
-  fields.add("step", OverFiles::same, [](const P &p) { return p.step; });
-  fields.add("rods", OverFiles::sum, [](const P &p) { return p.rods; });
-  fields.add("spheres", OverFiles::sum, [](const P &p) { return p.spheres; });
+  fields.add("step", OverFiles::Same, [](const P &p) { return p.step; });
+  fields.add("rods", OverFiles::Sum, [](const P &p) { return p.rods; });
+  fields.add("spheres", OverFiles::Sum, [](const P &p) { return p.spheres; });
   add("lambda_mean", [](const P &p) { return p.lambda.mean; });
   add("lambda_min", [](const P &p) { return p.lambda.smallest; });
   add("lambda_max", [](const P &p) { return p.lambda.largest; });
@@ -394,8 +394,8 @@ Fields<BedPacking> packing_fields()
   };
   add("vf_parkhouse_kelly",
       [](const P &p) { return p.has_rods() ? parkhouse_kelly_fraction(p.lambda.mean) : none; });
-  add("vf_random_contact_isotropic", random_contacts(isotropic_sin_gamma));
-  add("vf_random_contact_horizontal", random_contacts(horizontal_sin_gamma));
+  add("vf_random_contact_isotropic", random_contacts(kIsotropicSinGamma));
+  add("vf_random_contact_horizontal", random_contacts(kHorizontalSinGamma));
   add("vf_random_contact_measured",
       [](const P &p) { return random_contact_fraction(p.lambda.mean, p.mean_sin_gamma); });
   return fields;
@@ -438,13 +438,13 @@ Fields<ProfileRow> profile_fields()
 {
   using R = ProfileRow;
   Fields<R> fields;
-  fields.add("step", OverFiles::same, [](const R &r) { return r.step; });
-  fields.add("low_m", OverFiles::same, [](const R &r) { return r.bin.low; });
-  fields.add("high_m", OverFiles::same, [](const R &r) { return r.bin.high; });
-  fields.add("region_m3", OverFiles::mean, [](const R &r) { return r.bin.region; });
-  fields.add("solid_m3", OverFiles::mean, [](const R &r) { return r.bin.solid; });
+  fields.add("step", OverFiles::Same, [](const R &r) { return r.step; });
+  fields.add("low_m", OverFiles::Same, [](const R &r) { return r.bin.low; });
+  fields.add("high_m", OverFiles::Same, [](const R &r) { return r.bin.high; });
+  fields.add("region_m3", OverFiles::Mean, [](const R &r) { return r.bin.region; });
+  fields.add("solid_m3", OverFiles::Mean, [](const R &r) { return r.bin.solid; });
   fields.add_mean("vf", [](const R &r) { return MeanWithError{r.bin.fraction(), none}; });
-  fields.add("vf_integration_error", OverFiles::mean,
+  fields.add("vf_integration_error", OverFiles::Mean,
              [](const R &r) { return r.bin.error / r.bin.region; });
   return fields;
 }

@@ -28,8 +28,8 @@ namespace {
 
 void need_different(const std::vector<std::string> &dumps)
 {
-  for (std::size_t i = 0; i < dumps.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
+  for (std::size_t i = 0; i < dumps.size(); i++)
+    for (std::size_t j = 0; j < i; j++) {
       std::error_code unknown;  // said when they are opened
       if (dumps[i] == dumps[j] || std::filesystem::equivalent(dumps[i], dumps[j], unknown))
         throw InputError(fmt::format("{}: is given twice, wanted each bed once", dumps[i]));
@@ -46,9 +46,9 @@ struct KindOfRods {
 
   bool is_like(const KindOfRods &other) const
   {
-    constexpr double rounding = 1e-3;
-    return std::abs(diameter - other.diameter) <= rounding * diameter &&
-           std::abs(aspect_ratio - other.aspect_ratio) <= rounding * aspect_ratio;
+    constexpr double kRounding = 1e-3;
+    return std::abs(diameter - other.diameter) <= kRounding * diameter &&
+           std::abs(aspect_ratio - other.aspect_ratio) <= kRounding * aspect_ratio;
   }
 
   double diameter, aspect_ratio;
@@ -59,13 +59,13 @@ struct KindOfRods {
 void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)> &work)
 {
   const FrameChoice choice = parse_frame_choice(options.frame);
-  const bool all = choice.kind == FrameChoice::Kind::all;
+  const bool all = choice.kind == FrameChoice::Kind::All;
   if (all && options.several())
     throw InputError(fmt::format("--frame: must be first, last or a step for {} files (got 'all')",
                                  options.dumps.size()));
   need_different(options.dumps);
   std::optional<KindOfRods> first;
-  for (std::size_t file = 0; file < options.dumps.size(); ++file) {
+  for (std::size_t file = 0; file < options.dumps.size(); file++) {
     bool any = false;
     for_each_frame(options.dumps[file], choice, [&](const DumpFrame &frame) {
       Bed bed{frame, rods_of(frame), file};

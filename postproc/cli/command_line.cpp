@@ -29,7 +29,7 @@ int fail(const CLI::App &app, std::string sentence)
 {
   std::replace(sentence.begin(), sentence.end(), '\n', ' ');
   fmt::print(stderr, "{}: {}\n", app.get_name(), trimmed_end(sentence));
-  return exit_bad_input;
+  return kExitBadInput;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace spherocylinder {
 
-constexpr int exit_bad_input = 2;
+constexpr int kExitBadInput = 2;
 
 struct InputOptions {
   std::string dump;

@@ -12,11 +12,11 @@
 namespace spherocylinder {
 namespace {
 
-constexpr std::size_t position_bins = 10;
-constexpr double largest_over_mean = 10.0;  // of the distributions of overlaps and forces
+constexpr std::size_t kPositionBins = 10;
+constexpr double kLargestOverMean = 10.0;  // of the distributions of overlaps and forces
 
-constexpr OverFiles same = OverFiles::same, sum = OverFiles::sum, mean = OverFiles::mean,
-                    error = OverFiles::error, largest = OverFiles::largest;
+constexpr OverFiles kSame = OverFiles::Same, kSum = OverFiles::Sum, kMean = OverFiles::Mean,
+                    kError = OverFiles::Error, kLargest = OverFiles::Largest;
 
 // What several beds alone give an error.
 double no_error(const BedContacts &) { return none; }
@@ -55,52 +55,52 @@ Fields<BedContacts> contact_summary_fields()
 {
   using B = BedContacts;
   Fields<B> fields;
-  fields.add("step", same, [](const B &b) { return b.step; });
-  fields.add("rods", sum, [](const B &b) { return b.rods; });
-  fields.add("pair_contacts", sum, [](const B &b) { return b.pairs.size(); });
-  fields.add("doubtful_pairs", sum, [](const B &b) { return b.doubtful_pairs; });
-  fields.add("wall_contacts", sum, [](const B &b) { return b.walls.size(); });
+  fields.add("step", kSame, [](const B &b) { return b.step; });
+  fields.add("rods", kSum, [](const B &b) { return b.rods; });
+  fields.add("pair_contacts", kSum, [](const B &b) { return b.pairs.size(); });
+  fields.add("doubtful_pairs", kSum, [](const B &b) { return b.doubtful_pairs; });
+  fields.add("wall_contacts", kSum, [](const B &b) { return b.walls.size(); });
   fields.add_mean("contacts_per_rod", [](const B &b) { return b.between_rods.per_rod; });
   fields.add_mean("contacts_per_rod_with_walls", [](const B &b) { return b.with_walls.per_rod; });
   fields.add_mean("rods_without_contact_fraction", [](const B &b) { return b.without_contact; });
   fields.add_mean("side_side_fraction", [](const B &b) { return b.kinds.side_side; });
   fields.add_mean("side_end_fraction", [](const B &b) { return b.kinds.side_end; });
   fields.add_mean("end_end_fraction", [](const B &b) { return b.kinds.end_end; });
-  fields.add("uncorrelated_side_side_fraction", mean,
+  fields.add("uncorrelated_side_side_fraction", kMean,
              [](const B &b) { return b.uncorrelated.side_side; });
-  fields.add("uncorrelated_side_end_fraction", mean,
+  fields.add("uncorrelated_side_end_fraction", kMean,
              [](const B &b) { return b.uncorrelated.side_end; });
-  fields.add("uncorrelated_end_end_fraction", mean,
+  fields.add("uncorrelated_end_end_fraction", kMean,
              [](const B &b) { return b.uncorrelated.end_end; });
   fields.add_mean("mean_side_position", [](const B &b) { return b.side_position; });
   fields.add_mean("contact_sin_gamma", [](const B &b) { return b.sin_gamma; });
-  fields.add("all_pairs_sin_gamma", mean, [](const B &b) { return b.sin_gamma_of_all; });
+  fields.add("all_pairs_sin_gamma", kMean, [](const B &b) { return b.sin_gamma_of_all; });
   fields.add_mean("overlap_mean", [](const B &b) { return b.overlap.mean; }, "_diameters");
-  fields.add("overlap_rms_diameters", mean, [](const B &b) { return b.overlap.root_mean_square; });
-  fields.add("overlap_max_diameters", largest, [](const B &b) { return b.overlap.largest; });
+  fields.add("overlap_rms_diameters", kMean, [](const B &b) { return b.overlap.root_mean_square; });
+  fields.add("overlap_max_diameters", kLargest, [](const B &b) { return b.overlap.largest; });
   fields.add_mean("wall_overlap_mean", [](const B &b) { return b.wall_overlap.mean; },
                   "_diameters");
-  fields.add("wall_overlap_max_diameters", largest,
+  fields.add("wall_overlap_max_diameters", kLargest,
              [](const B &b) { return b.wall_overlap.largest; });
-  fields.add("pair_forces", sum, [](const B &b) { return number_of(b.pair_forces); });
+  fields.add("pair_forces", kSum, [](const B &b) { return number_of(b.pair_forces); });
   fields.add_mean("pair_force_mean", [](const B &b) { return spread_of(b.pair_forces).mean; },
                   "_N");
-  fields.add("pair_force_rms_N", mean,
+  fields.add("pair_force_rms_N", kMean,
              [](const B &b) { return spread_of(b.pair_forces).root_mean_square; });
-  fields.add("pair_force_max_N", largest,
+  fields.add("pair_force_max_N", kLargest,
              [](const B &b) { return spread_of(b.pair_forces).largest; });
-  fields.add("wall_forces", sum, [](const B &b) { return number_of(b.wall_forces); });
+  fields.add("wall_forces", kSum, [](const B &b) { return number_of(b.wall_forces); });
   fields.add_mean("wall_force_mean", [](const B &b) { return spread_of(b.wall_forces).mean; },
                   "_N");
-  fields.add("wall_force_max_N", largest,
+  fields.add("wall_force_max_N", kLargest,
              [](const B &b) { return spread_of(b.wall_forces).largest; });
-  fields.add("wall_force_sum_x_N", mean, [](const B &b) { return sum_of(b.wall_forces).x; });
-  fields.add("wall_force_sum_y_N", mean, [](const B &b) { return sum_of(b.wall_forces).y; });
-  fields.add("wall_force_sum_z_N", mean, [](const B &b) { return sum_of(b.wall_forces).z; });
+  fields.add("wall_force_sum_x_N", kMean, [](const B &b) { return sum_of(b.wall_forces).x; });
+  fields.add("wall_force_sum_y_N", kMean, [](const B &b) { return sum_of(b.wall_forces).y; });
+  fields.add("wall_force_sum_z_N", kMean, [](const B &b) { return sum_of(b.wall_forces).z; });
   fields.add_mean("strong_fraction", [](const B &b) { return b.strong; });
-  fields.add("chains", mean, number_of_chains).add("chains_error", error, no_error);
-  fields.add("largest_chain_rods", mean, largest_chain);
-  fields.add("largest_chain_rods_error", error, no_error);
+  fields.add("chains", kMean, number_of_chains).add("chains_error", kError, no_error);
+  fields.add("largest_chain_rods", kMean, largest_chain);
+  fields.add("largest_chain_rods_error", kError, no_error);
   fields.add_mean("rods_in_chains_fraction", [](const B &b) { return b.in_chains; });
   return fields;
 }
@@ -109,11 +109,11 @@ Fields<NumberRow> number_fields()
 {
   using R = NumberRow;
   Fields<R> fields;
-  fields.add("step", same, [](const R &r) { return r.step; });
-  fields.add("contacts", same, [](const R &r) { return r.contacts; });
-  fields.add("rods", sum, [](const R &r) { return r.between_rods; });
+  fields.add("step", kSame, [](const R &r) { return r.step; });
+  fields.add("contacts", kSame, [](const R &r) { return r.contacts; });
+  fields.add("rods", kSum, [](const R &r) { return r.between_rods; });
   fields.add_mean("fraction", [](const R &r) { return part_of(r.between_rods, r.rods); });
-  fields.add("rods_with_walls", sum, [](const R &r) { return r.with_walls; });
+  fields.add("rods_with_walls", kSum, [](const R &r) { return r.with_walls; });
   fields.add_mean("fraction_with_walls", [](const R &r) { return part_of(r.with_walls, r.rods); });
   return fields;
 }
@@ -121,7 +121,7 @@ Fields<NumberRow> number_fields()
 std::vector<NumberRow> number_rows(const BedContacts &b)
 {
   std::vector<NumberRow> rows;
-  for (std::size_t k = 0; k < b.with_walls.rods_with.size(); ++k)
+  for (std::size_t k = 0; k < b.with_walls.rods_with.size(); k++)
     rows.push_back({b.step, k, b.between_rods.rods_that_have(k), b.with_walls.rods_with[k],
                     b.rods});
   return rows;
@@ -131,10 +131,10 @@ Fields<BinRow> position_fields()
 {
   using R = BinRow;
   Fields<R> fields;
-  fields.add("step", same, [](const R &r) { return r.step; });
-  fields.add("position_low", same, [](const R &r) { return r.pairs.low; });
-  fields.add("position_high", same, [](const R &r) { return r.pairs.high; });
-  fields.add("count", sum, [](const R &r) { return r.pairs.count; });
+  fields.add("step", kSame, [](const R &r) { return r.step; });
+  fields.add("position_low", kSame, [](const R &r) { return r.pairs.low; });
+  fields.add("position_high", kSame, [](const R &r) { return r.pairs.high; });
+  fields.add("count", kSum, [](const R &r) { return r.pairs.count; });
   fields.add_mean("fraction", [](const R &r) { return r.pairs.part; });
   fields.add_mean("density", [](const R &r) { return r.pairs.density(); });
   return fields;
@@ -143,7 +143,7 @@ Fields<BinRow> position_fields()
 std::vector<BinRow> position_rows(const BedContacts &b, const std::vector<Rod> &rods)
 {
   std::vector<BinRow> rows;
-  for (const HistogramBin &bin : histogram(side_positions(rods, b.pairs), 1.0, position_bins))
+  for (const HistogramBin &bin : histogram(side_positions(rods, b.pairs), 1.0, kPositionBins))
     rows.push_back({b.step, bin, {}});
   return rows;
 }
@@ -152,12 +152,12 @@ Fields<BinRow> over_mean_fields(const std::string &what)
 {
   using R = BinRow;
   Fields<R> fields;
-  fields.add("step", same, [](const R &r) { return r.step; });
-  fields.add(what + "_over_mean_low", same, [](const R &r) { return r.pairs.low; });
-  fields.add(what + "_over_mean_high", same, [](const R &r) { return r.pairs.high; });
-  fields.add("pair_count", sum, [](const R &r) { return r.pairs.count; });
+  fields.add("step", kSame, [](const R &r) { return r.step; });
+  fields.add(what + "_over_mean_low", kSame, [](const R &r) { return r.pairs.low; });
+  fields.add(what + "_over_mean_high", kSame, [](const R &r) { return r.pairs.high; });
+  fields.add("pair_count", kSum, [](const R &r) { return r.pairs.count; });
   fields.add_mean("pair_density", [](const R &r) { return r.pairs.density(); });
-  fields.add("wall_count", sum, [](const R &r) { return r.walls.count; });
+  fields.add("wall_count", kSum, [](const R &r) { return r.walls.count; });
   fields.add_mean("wall_density", [](const R &r) { return r.walls.density(); });
   return fields;
 }
@@ -169,10 +169,10 @@ std::vector<BinRow> over_mean_rows(std::int64_t step, std::vector<double> pairs,
     const double scale = mean_of(*values).mean;
     for (double &value : *values) value /= scale;
   }
-  const auto of_pairs = histogram(pairs, largest_over_mean, bins);
-  const auto of_walls = histogram(walls, largest_over_mean, bins);
+  const auto of_pairs = histogram(pairs, kLargestOverMean, bins);
+  const auto of_walls = histogram(walls, kLargestOverMean, bins);
   std::vector<BinRow> rows;
-  for (std::size_t k = 0; k < bins; ++k) rows.push_back({step, of_pairs[k], of_walls[k]});
+  for (std::size_t k = 0; k < bins; k++) rows.push_back({step, of_pairs[k], of_walls[k]});
   return rows;
 }
 
@@ -180,9 +180,9 @@ Fields<ChainRow> chain_fields()
 {
   using R = ChainRow;
   Fields<R> fields;
-  fields.add("step", same, [](const R &r) { return r.step; });
-  fields.add("rods_low", same, [](const R &r) { return r.rods_low; });
-  fields.add("rods_high", same, [](const R &r) { return r.rods_high; });
+  fields.add("step", kSame, [](const R &r) { return r.step; });
+  fields.add("rods_low", kSame, [](const R &r) { return r.rods_low; });
+  fields.add("rods_high", kSame, [](const R &r) { return r.rods_high; });
   fields.add_mean("chains", [](const R &r) {
     const double count = static_cast<double>(r.chains);
     return MeanWithError{count, std::sqrt(count + 1.0)};  // none is not certain either
@@ -207,16 +207,16 @@ Fields<ContactRow> contact_fields()
 {
   using R = ContactRow;
   Fields<R> fields;
-  fields.add("step", same, [](const R &r) { return r.step; });
-  fields.add("id_i", same, [](const R &r) { return r.id_i; });
-  fields.add("id_j", same, [](const R &r) { return r.id_j; });
-  fields.add("wall", same, [](const R &r) { return r.wall; });
-  fields.add("position_i_m", same, [](const R &r) { return r.position_i; });
-  fields.add("position_j_m", same, [](const R &r) { return r.position_j; });
-  fields.add("gap_m", same, [](const R &r) { return r.gap; });
-  fields.add("sin_gamma", same, [](const R &r) { return r.sin_gamma; });
-  fields.add("force_N", same, [](const R &r) { return r.force; });
-  fields.add("chain", same, [](const R &r) { return r.chain; });
+  fields.add("step", kSame, [](const R &r) { return r.step; });
+  fields.add("id_i", kSame, [](const R &r) { return r.id_i; });
+  fields.add("id_j", kSame, [](const R &r) { return r.id_j; });
+  fields.add("wall", kSame, [](const R &r) { return r.wall; });
+  fields.add("position_i_m", kSame, [](const R &r) { return r.position_i; });
+  fields.add("position_j_m", kSame, [](const R &r) { return r.position_j; });
+  fields.add("gap_m", kSame, [](const R &r) { return r.gap; });
+  fields.add("sin_gamma", kSame, [](const R &r) { return r.sin_gamma; });
+  fields.add("force_N", kSame, [](const R &r) { return r.force; });
+  fields.add("chain", kSame, [](const R &r) { return r.chain; });
   return fields;
 }
 
@@ -224,7 +224,7 @@ std::vector<ContactRow> contact_rows(const BedContacts &b, const std::vector<Rod
 {
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> forces;
   if (b.pair_forces)
-    for (std::size_t k = 0; k < b.pair_forces->contacts.size(); ++k) {
+    for (std::size_t k = 0; k < b.pair_forces->contacts.size(); k++) {
       const ContactForce &contact = b.pair_forces->contacts[k];
       forces[std::minmax(contact.i, contact.j)] = b.pair_forces->sizes[k];
     }

@@ -11,14 +11,14 @@ namespace spherocylinder {
 
 FrameChoice parse_frame_choice(const std::string &word)
 {
-  if (word == "first") return {FrameChoice::Kind::first};
-  if (word == "last") return {FrameChoice::Kind::last};
-  if (word == "all") return {FrameChoice::Kind::all};
+  if (word == "first") return {FrameChoice::Kind::First};
+  if (word == "last") return {FrameChoice::Kind::Last};
+  if (word == "all") return {FrameChoice::Kind::All};
   const auto step = to_number<std::int64_t>(word);
   if (!step || *step < 0)
     throw InputError(
         fmt::format("--frame: must be first, last, all or a step >= 0 (got {})", shown(word)));
-  return {FrameChoice::Kind::step, *step};
+  return {FrameChoice::Kind::Step, *step};
 }
 
 void for_each_frame(const std::string &path, const FrameChoice &choice,
@@ -31,16 +31,16 @@ void for_each_frame(const std::string &path, const FrameChoice &choice,
   std::int64_t first_step = 0;
   while (reader.next(frame)) {
     if (++frames == 1) first_step = frame.step;
-    if (choice.kind == Kind::all) {
+    if (choice.kind == Kind::All) {
       work(frame);
-    } else if (choice.kind == Kind::first ||
-               (choice.kind == Kind::step && frame.step == choice.step)) {
+    } else if (choice.kind == Kind::First ||
+               (choice.kind == Kind::Step && frame.step == choice.step)) {
       work(frame);
       return;
     }
   }
-  if (choice.kind == Kind::last) work(frame);
-  if (choice.kind == Kind::step)
+  if (choice.kind == Kind::Last) work(frame);
+  if (choice.kind == Kind::Step)
     throw InputError(fmt::format("{}: step {} is not among its {} steps, {} to {}", path,
                                  choice.step, frames, first_step, frame.step));
 }

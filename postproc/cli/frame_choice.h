@@ -11,9 +11,9 @@
 namespace spherocylinder {
 
 struct FrameChoice {
-  enum class Kind { first, last, all, step };
-  Kind kind = Kind::last;
-  std::int64_t step = 0;  // for Kind::step
+  enum class Kind { First, Last, All, Step };
+  Kind kind = Kind::Last;
+  std::int64_t step = 0;  // for Kind::Step
 };
 
 // Throws InputError unless the word is first, last, all or a whole number >= 0.

@@ -21,17 +21,17 @@ double combined(OverFiles rule, const std::vector<double> &values,
     squares += value * value;
   }
   switch (rule) {
-    case OverFiles::same: {
+    case OverFiles::Same: {
       const bool alike = !values.empty() && std::equal(values.begin() + 1, values.end(),
                                                        values.begin());
       return alike ? values[0] : none;
     }
-    case OverFiles::sum: return values.empty() ? none : sum;
-    case OverFiles::mean: return mean_of(values).mean;
-    case OverFiles::error: return mean_of(values_before).error;
-    case OverFiles::largest:
+    case OverFiles::Sum: return values.empty() ? none : sum;
+    case OverFiles::Mean: return mean_of(values).mean;
+    case OverFiles::Error: return mean_of(values_before).error;
+    case OverFiles::Largest:
       return values.empty() ? none : *std::max_element(values.begin(), values.end());
-    case OverFiles::scatter:
+    case OverFiles::Scatter:
       return values.empty() ? none : std::sqrt(squares) / static_cast<double>(values.size());
   }
   return none;
@@ -45,12 +45,12 @@ Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &
   std::size_t longest = 0;
   for (const Rows &rows : files) longest = std::max(longest, rows.size());
   Rows together(longest);
-  for (std::size_t row = 0; row < longest; ++row) {
+  for (std::size_t row = 0; row < longest; row++) {
     std::vector<double> before;
-    for (std::size_t column = 0; column < columns.size(); ++column) {
+    for (std::size_t column = 0; column < columns.size(); column++) {
       std::vector<double> values;
       const bool is_zero =
-          missing == MissingRows::zero && columns[column].over_files != OverFiles::same;
+          missing == MissingRows::Zero && columns[column].over_files != OverFiles::Same;
       for (const Rows &rows : files) {
         if (row >= rows.size() && is_zero) values.push_back(0.0);
         if (row < rows.size() && !std::isnan(rows[row][column]))
@@ -100,8 +100,8 @@ void RowTable::finish()
 void RowTable::print_means() const
 {
   const std::vector<double> row = combine_files(columns_, files_, missing_)[0];
-  for (std::size_t i = 0; i + 1 < columns_.size(); ++i)
-    if (columns_[i + 1].over_files == OverFiles::error && !std::isnan(row[i]))
+  for (std::size_t i = 0; i + 1 < columns_.size(); i++)
+    if (columns_[i + 1].over_files == OverFiles::Error && !std::isnan(row[i]))
       fmt::print("  {:<34} {:12.6g} -+ {:.2g}\n", columns_[i].name, row[i], row[i + 1]);
 }
 

@@ -16,12 +16,12 @@ namespace spherocylinder {
 
 // What becomes of a column when the same row of several files becomes one.
 enum class OverFiles {
-  same,   // it is alike in all files (the edge of a bin); left empty where it is not
-  sum,    // counts
-  mean,   // over the files that have a value
-  error,  // standard error of the mean in the column before, over the files that have a value
-  largest,
-  scatter,  // standard deviation of a mean of one file: goes down with the square root of their
+  Same,   // it is alike in all files (the edge of a bin); left empty where it is not
+  Sum,    // counts
+  Mean,   // over the files that have a value
+  Error,  // standard error of the mean in the column before, over the files that have a value
+  Largest,
+  Scatter,  // standard deviation of a mean of one file: goes down with the square root of their
             // number
 };
 
@@ -49,8 +49,8 @@ class Fields {
   template <class Mean>  // of an item: MeanWithError
   Fields &add_mean(const std::string &name, Mean mean, const std::string &unit = "")
   {
-    add(name + unit, OverFiles::mean, [mean](const Item &item) { return mean(item).mean; });
-    return add(name + "_error" + unit, OverFiles::error,
+    add(name + unit, OverFiles::Mean, [mean](const Item &item) { return mean(item).mean; });
+    return add(name + "_error" + unit, OverFiles::Error,
                [mean](const Item &item) { return mean(item).error; });
   }
 
@@ -58,7 +58,7 @@ class Fields {
   template <class Part, class Other>
   Fields &add_part(const Fields<Part> &fields, Other part)
   {
-    for (std::size_t k = 0; k < fields.columns().size(); ++k)
+    for (std::size_t k = 0; k < fields.columns().size(); k++)
       add(fields.columns()[k].name, fields.columns()[k].over_files,
           [number = fields.number(k), part](const Item &item) { return number(part(item)); });
     return *this;
@@ -84,14 +84,14 @@ class Fields {
 
 // Rows that a file has fewer than another.
 enum class MissingRows {
-  left_out,  // the file says nothing of them
-  zero,      // its counts, and their means, are 0 there
+  LeftOut,  // the file says nothing of them
+  Zero,      // its counts, and their means, are 0 there
 };
 
 // Rows of several files as one table: row by row, as many as the longest has. A standard error
 // needs two files with a value, else it is NaN.
 Rows combine_files(const std::vector<Column> &columns, const std::vector<Rows> &files,
-                   MissingRows missing = MissingRows::left_out);
+                   MissingRows missing = MissingRows::LeftOut);
 
 // The rows of a table on their way to a file.
 class RowTable {
@@ -125,7 +125,7 @@ template <class Item>
 class ResultTable {
  public:
   ResultTable(std::string path, Fields<Item> fields, bool several_files,
-              MissingRows missing = MissingRows::left_out)
+              MissingRows missing = MissingRows::LeftOut)
       : fields_(std::move(fields)),
         table_(std::move(path), fields_.columns(), several_files, missing)
   {

@@ -14,8 +14,8 @@
 namespace spherocylinder {
 namespace {
 
-constexpr std::size_t input_bytes = std::size_t{1} << 18;
-constexpr std::size_t largest_call = std::size_t{1} << 30;  // zlib counts in unsigned int
+constexpr std::size_t kInputBytes = std::size_t{1} << 18;
+constexpr std::size_t kLargestCall = std::size_t{1} << 30;  // zlib counts in unsigned int
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void ByteSource::StreamEnder::operator()(z_stream *stream) const
   delete stream;
 }
 
-ByteSource::ByteSource(const std::string &path) : input_(input_bytes)
+ByteSource::ByteSource(const std::string &path) : input_(kInputBytes)
 {
   note_input(path);
   std::error_code unknown;  // said when it is opened; a pipe has no size
@@ -66,11 +66,11 @@ std::size_t ByteSource::read(char *bytes, std::size_t most)
     need_input();
     if (end_ >= 2 && input_[0] == 0x1f && input_[1] == 0x8b) {
       stream_.reset(new z_stream{});
-      constexpr int gzip_only = 15 + 16;  // a window of 2^15 bytes; see zlib.h, inflateInit2
-      if (inflateInit2(stream_.get(), gzip_only) != Z_OK) throw ReadFailure{"zlib cannot start"};
+      constexpr int kGzipOnly = 15 + 16;  // a window of 2^15 bytes; see zlib.h, inflateInit2
+      if (inflateInit2(stream_.get(), kGzipOnly) != Z_OK) throw ReadFailure{"zlib cannot start"};
     }
   }
-  if (stream_) return inflate_some(bytes, std::min(most, largest_call));
+  if (stream_) return inflate_some(bytes, std::min(most, kLargestCall));
   if (begin_ == end_) return read_file(bytes, most);
   const std::size_t given = std::min(most, end_ - begin_);
   std::memcpy(bytes, input_.data() + begin_, given);
@@ -90,7 +90,7 @@ std::size_t ByteSource::inflate_some(char *bytes, std::size_t most)
     }
     if (!in_member_) {
       // Zeros that fill up a block of a tape are skipped, as gzip does.
-      while (begin_ < end_ && input_[begin_] == 0) ++begin_;
+      while (begin_ < end_ && input_[begin_] == 0) begin_++;
       if (begin_ == end_) continue;
       if (input_[begin_] != 0x1f) throw ReadFailure{"other bytes follow the compressed data"};
       inflateReset(stream_.get());

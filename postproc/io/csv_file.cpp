@@ -25,7 +25,7 @@ void CsvFile::row(const std::vector<double> &values)
   if (values.size() != columns_) throw std::logic_error("CSV row and header differ in length");
   if (!output_) return;
   std::string line;
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); i++) {
     if (i > 0) line += ',';
     if (!std::isnan(values[i])) line += fmt::format("{:.10g}", values[i]);
   }

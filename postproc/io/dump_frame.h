@@ -34,7 +34,7 @@ struct DumpFrame {
 
   std::optional<std::size_t> find_column(std::string_view name) const
   {
-    for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t i = 0; i < columns.size(); i++)
       if (columns[i] == name) return i;
     return std::nullopt;
   }

@@ -16,29 +16,29 @@ namespace spherocylinder {
 namespace {
 
 // A double does not tell 2^53 from 2^53 + 1.
-constexpr double too_large_id = 9007199254740992.0;
+constexpr double kTooLargeId = 9007199254740992.0;
 
-constexpr std::string_view item_step = "ITEM: TIMESTEP";
-constexpr std::string_view item_box = "ITEM: BOX BOUNDS";
-constexpr std::string_view item_time = "ITEM: TIME";
+constexpr std::string_view kItemStep = "ITEM: TIMESTEP";
+constexpr std::string_view kItemBox = "ITEM: BOX BOUNDS";
+constexpr std::string_view kItemTime = "ITEM: TIME";
 
 // What announces the number of rows, and the rows.
 std::string_view item_count(DumpKind kind)
 {
-  return kind == DumpKind::atoms ? "ITEM: NUMBER OF ATOMS" : "ITEM: NUMBER OF ENTRIES";
+  return kind == DumpKind::Atoms ? "ITEM: NUMBER OF ATOMS" : "ITEM: NUMBER OF ENTRIES";
 }
 
 std::string_view item_rows(DumpKind kind)
 {
-  return kind == DumpKind::atoms ? "ITEM: ATOMS" : "ITEM: ENTRIES";
+  return kind == DumpKind::Atoms ? "ITEM: ATOMS" : "ITEM: ENTRIES";
 }
 
 std::string_view name_of_rows(DumpKind kind)
 {
-  return kind == DumpKind::atoms ? "atoms" : "entries";
+  return kind == DumpKind::Atoms ? "atoms" : "entries";
 }
 
-std::string_view name_of_row(DumpKind kind) { return kind == DumpKind::atoms ? "atom" : "entry"; }
+std::string_view name_of_row(DumpKind kind) { return kind == DumpKind::Atoms ? "atom" : "entry"; }
 
 bool starts_with(std::string_view text, std::string_view head)
 {
@@ -83,11 +83,11 @@ bool DumpReader::next(DumpFrame &frame)
       if (any_frame_) return false;
       throw InputError(fmt::format("{}: {}, wanted a dump that begins with '{}'", lines_.path(),
                                    lines_.line_number() == 0 ? "is empty" : "holds no text",
-                                   item_step));
+                                   kItemStep));
     }
   } while (line_.empty());
-  if (line_ != item_step)
-    fail(fmt::format("{}, wanted '{}'{}", shown(line_), item_step,
+  if (line_ != kItemStep)
+    fail(fmt::format("{}, wanted '{}'{}", shown(line_), kItemStep,
                      any_frame_ ? " or the end of the file (more lines than the header says?)"
                                 : ": not a LIGGGHTS dump file"));
 
@@ -101,10 +101,10 @@ bool DumpReader::next(DumpFrame &frame)
     need_line("an 'ITEM:' line");
     if (line_ == count_line) {
       count = integer_line(fmt::format("the number of {}", name_of_rows(kind_)));
-    } else if (starts_with(line_, item_box)) {
+    } else if (starts_with(line_, kItemBox)) {
       read_box(frame);
       have_box = true;
-    } else if (line_ == item_time) {
+    } else if (line_ == kItemTime) {
       need_line("the time");
       const auto time = to_number<double>(line_);
       if (!time || !std::isfinite(*time))
@@ -116,16 +116,16 @@ bool DumpReader::next(DumpFrame &frame)
     } else if (starts_with(line_, "ITEM: UNITS") || starts_with(line_, "ITEM: LABEL")) {
       need_line("a word");
     } else {
-      fail(fmt::format("{}, wanted '{}', '{}' or '{}'", shown(line_), count_line, item_box,
+      fail(fmt::format("{}, wanted '{}', '{}' or '{}'", shown(line_), count_line, kItemBox,
                        rows_line));
     }
   }
   if (count < 0) fail(fmt::format("'{}' came before '{}'", rows_line, count_line));
-  if (!have_box) fail(fmt::format("'{}' came before '{}'", rows_line, item_box));
+  if (!have_box) fail(fmt::format("'{}' came before '{}'", rows_line, kItemBox));
 
   read_columns(line_.substr(rows_line.size()), frame);
   read_rows(frame, count);
-  if (kind_ == DumpKind::atoms) check_ids(frame);
+  if (kind_ == DumpKind::Atoms) check_ids(frame);
   any_frame_ = true;
   return true;
 }
@@ -151,10 +151,10 @@ void DumpReader::read_boundary(std::string_view words, DumpFrame &frame)
 // "BOX BOUNDS ff ff ff" has two numbers a line; a tilted box ("xy xz yz ff ff ff") has three.
 void DumpReader::read_box(DumpFrame &frame)
 {
-  std::string_view words = line_.substr(item_box.size());
-  constexpr std::string_view tilts = " xy xz yz";
-  frame.box_is_tilted = starts_with(words, tilts);
-  if (frame.box_is_tilted) words.remove_prefix(tilts.size());
+  std::string_view words = line_.substr(kItemBox.size());
+  constexpr std::string_view kTilts = " xy xz yz";
+  frame.box_is_tilted = starts_with(words, kTilts);
+  if (frame.box_is_tilted) words.remove_prefix(kTilts.size());
   read_boundary(words, frame);
   for (auto &bounds : frame.box) {
     need_line("the bounds of the box");
@@ -189,7 +189,7 @@ void DumpReader::read_columns(std::string_view names, DumpFrame &frame)
     if (frame.find_column(name)) fail(fmt::format("column {} appears twice", shown(name)));
     frame.columns.emplace_back(name);
   }
-  if (kind_ == DumpKind::atoms && !frame.find_column("id")) fail("column 'id' is missing");
+  if (kind_ == DumpKind::Atoms && !frame.find_column("id")) fail("column 'id' is missing");
 }
 
 void DumpReader::read_rows(DumpFrame &frame, std::int64_t count)
@@ -222,9 +222,9 @@ void DumpReader::check_ids(const DumpFrame &frame) const
 {
   const std::size_t column = *frame.find_column("id");
   std::vector<std::pair<double, std::size_t>> ids(frame.rows);
-  for (std::size_t row = 0; row < frame.rows; ++row) {
+  for (std::size_t row = 0; row < frame.rows; row++) {
     const double id = frame.value(row, column);
-    if (!(id >= 1.0 && id < too_large_id && id == std::floor(id)))
+    if (!(id >= 1.0 && id < kTooLargeId && id == std::floor(id)))
       throw InputError(fmt::format("{}:{}: id is {}, wanted a whole number from 1 up, below 2^53",
                                    lines_.path(), frame.line_of(row), id));
     ids[row] = {id, row};

@@ -12,14 +12,14 @@
 namespace spherocylinder {
 
 enum class DumpKind {
-  atoms,    // `dump custom`: a row an atom, with an id of its own
-  entries,  // `dump local`: rows of a compute, which need no id
+  Atoms,    // `dump custom`: a row an atom, with an id of its own
+  Entries,  // `dump local`: rows of a compute, which need no id
 };
 
 class DumpReader {
  public:
   // Throws InputError if the file cannot be opened.
-  explicit DumpReader(const std::string &path, DumpKind kind = DumpKind::atoms);
+  explicit DumpReader(const std::string &path, DumpKind kind = DumpKind::Atoms);
 
   // Reads the next frame. At a clean end of file returns false and leaves `frame` as it was, so
   // that after a loop `frame` is the last one. Throws InputError for anything but a whole frame of

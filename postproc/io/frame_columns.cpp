@@ -58,7 +58,7 @@ VectorColumns::VectorColumns(const DumpFrame &frame, const std::array<std::strin
   };
   if (std::none_of(names.begin(), names.end(), is_there)) return;
   columns_.emplace();
-  for (int d = 0; d < 3; ++d) (*columns_)[d] = need_column(frame, names[d]);
+  for (int d = 0; d < 3; d++) (*columns_)[d] = need_column(frame, names[d]);
 }
 
 Vec3 VectorColumns::of(std::size_t row) const
@@ -85,9 +85,9 @@ int significant_digits(double number)
 
 int digits_of_column(const DumpFrame &frame, std::size_t column)
 {
-  constexpr std::size_t rows_looked_at = 1000;
+  constexpr std::size_t kRowsLookedAt = 1000;
   int digits = 0;
-  for (std::size_t row = 0; row < std::min(frame.rows, rows_looked_at); ++row)
+  for (std::size_t row = 0; row < std::min(frame.rows, kRowsLookedAt); row++)
     digits = std::max(digits, significant_digits(frame.value(row, column)));
   return digits;
 }

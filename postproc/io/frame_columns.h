@@ -18,7 +18,7 @@ namespace spherocylinder {
 std::size_t need_column(const DumpFrame &frame, std::string_view name,
                         std::string_view instead = "");
 
-constexpr double largest_place = 1e9;  // m; what is further away overflows volumes and grids
+constexpr double kLargestPlace = 1e9;  // m; what is further away overflows volumes and grids
 
 // Places: x y z, or xu yu zu, or xs ys zs or xsu ysu zsu scaled by the box, in this order of
 // preference for each direction. Throws InputError if there is none, and for scaled ones in a
@@ -58,7 +58,7 @@ class VectorColumns {
   std::optional<std::array<std::size_t, 3>> columns_;
 };
 
-constexpr int least_digits = 6;  // LIGGGHTS's own
+constexpr int kLeastDigits = 6;  // LIGGGHTS's own
 
 // Decimal digits that tell any number of a column from all others, zeros at either end left out:
 // the most that one of the first thousand rows has.

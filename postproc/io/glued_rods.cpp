@@ -14,7 +14,7 @@
 namespace spherocylinder {
 namespace {
 
-constexpr double largest_radius = 1e6;  // m; what is larger is no rod
+constexpr double kLargestRadius = 1e6;  // m; what is larger is no rod
 
 double component(const Vec3 &a, int d)
 {
@@ -35,8 +35,8 @@ Vec3 direction_of(const std::vector<Sphere> &spheres, const Vec3 &mean)
     if (const Vec3 d = s.centre - mean; norm_squared(d) > norm_squared(u)) u = d;
   if (norm_squared(u) == 0.0) return {0.0, 0.0, 1.0};
   u = (1.0 / norm(u)) * u;
-  constexpr int most_powers = 100;
-  for (int i = 0; i < most_powers; ++i) {
+  constexpr int kMostPowers = 100;
+  for (int i = 0; i < kMostPowers; i++) {
     Vec3 next{0.0, 0.0, 0.0};
     for (const Sphere &s : spheres) next = next + dot(s.centre - mean, u) * (s.centre - mean);
     next = (1.0 / norm(next)) * next;
@@ -63,14 +63,14 @@ class Bodies {
         velocity_(frame, {"vx", "vy", "vz"}),
         omega_(frame, {"omegax", "omegay", "omegaz"})
   {
-    for (int d = 0; d < 3; ++d)
+    for (int d = 0; d < 3; d++)
       is_wrapped_[d] = frame.periodic[d] && frame.columns[place_.column(d)].back() != 'u';
   }
 
   std::vector<GluedRod> rods() const
   {
     std::vector<std::size_t> rows(frame_.rows);
-    for (std::size_t row = 0; row < frame_.rows; ++row) {
+    for (std::size_t row = 0; row < frame_.rows; row++) {
       need_body(row);
       rows[row] = row;
     }
@@ -80,7 +80,7 @@ class Bodies {
     std::vector<GluedRod> rods;
     for (std::size_t begin = 0; begin < rows.size();) {
       std::size_t end = begin;
-      while (end < rows.size() && body(rows[end]) == body(rows[begin])) ++end;
+      while (end < rows.size() && body(rows[end]) == body(rows[begin])) end++;
       rods.push_back(rod_of({rows.begin() + begin, rows.begin() + end}));
       begin = end;
     }
@@ -104,9 +104,9 @@ class Bodies {
 
   void need_body(std::size_t row) const
   {
-    constexpr double largest = 9007199254740992.0;  // 2^53: above, a double skips whole numbers
+    constexpr double kLargest = 9007199254740992.0;  // 2^53: above, a double skips whole numbers
     const double b = body(row);
-    if (!(b >= 1.0 && b < largest && b == std::floor(b)))
+    if (!(b >= 1.0 && b < kLargest && b == std::floor(b)))
       throw InputError(
           fmt::format("{}:{}: sphere {} is of no body: {} is {}, wanted a whole number >= 1",
                       frame_.path, frame_.line_of(row), value(row, id_), options_.body, b));
@@ -123,11 +123,11 @@ class Bodies {
     const std::size_t first = rows[0];
     if (rows.size() < 2) fail(first, "it has 1 sphere, wanted at least 2");
     const double r = radius(first);
-    if (!(r > 0.0 && r < largest_radius))
+    if (!(r > 0.0 && r < kLargestRadius))
       fail(first,
-           fmt::format("a radius is {}, wanted a number > 0, below {:g}", r, largest_radius));
+           fmt::format("a radius is {}, wanted a number > 0, below {:g}", r, kLargestRadius));
     for (const std::size_t row : rows)
-      if (std::abs(radius(row) - r) > length_rounding * r)
+      if (std::abs(radius(row) - r) > kLengthRounding * r)
         fail(row, fmt::format("its spheres have the radii {} and {}, wanted one", r, radius(row)));
 
     const std::vector<Sphere> spheres = put_together(rows);
@@ -151,7 +151,7 @@ class Bodies {
     const std::vector<double> places_of_rows = along;
     std::sort(along.begin(), along.end());
     double least = INFINITY, largest = 0.0;
-    for (std::size_t i = 1; i < along.size(); ++i) {
+    for (std::size_t i = 1; i < along.size(); i++) {
       least = std::min(least, (along[i] - along[i - 1]) / r);
       largest = std::max(largest, (along[i] - along[i - 1]) / r);
     }
@@ -178,9 +178,9 @@ class Bodies {
   int type(std::size_t row) const
   {
     if (!type_) return 1;
-    constexpr double largest = 1e6;
+    constexpr double kLargest = 1e6;
     const double type = value(row, *type_);
-    if (!(type >= 1.0 && type <= largest && type == std::floor(type)))
+    if (!(type >= 1.0 && type <= kLargest && type == std::floor(type)))
       fail(row, fmt::format("type is {}, wanted a whole number >= 1", type));
     return static_cast<int>(type);
   }
@@ -191,10 +191,10 @@ class Bodies {
     std::vector<Sphere> spheres;
     for (const std::size_t row : rows) spheres.push_back({row, place_.of(row)});
     for (const Sphere &s : spheres)
-      for (int d = 0; d < 3; ++d)
-        if (!(std::abs(component(s.centre, d)) < largest_place))
+      for (int d = 0; d < 3; d++)
+        if (!(std::abs(component(s.centre, d)) < kLargestPlace))
           fail(s.row, fmt::format("{} is {:g} m, wanted less than {:g} m", "xyz"[d],
-                                  component(s.centre, d), largest_place));
+                                  component(s.centre, d), kLargestPlace));
     if (!lie_across(spheres)) return spheres;
 
     // Of those that are not placed yet, the one nearest to any that is, at its nearest image.
@@ -202,15 +202,15 @@ class Bodies {
     std::vector<bool> placed(n, false);
     std::vector<double> distance(n, INFINITY);
     std::vector<Vec3> step(n), from(n);
-    for (std::size_t next = 0, count = 0; count < n; ++count) {
+    for (std::size_t next = 0, count = 0; count < n; count++) {
       if (count > 0) {
         next = n;
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < n; i++)
           if (!placed[i] && (next == n || distance[i] < distance[next])) next = i;
         spheres[next].centre = from[next] + step[next];
       }
       placed[next] = true;
-      for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t i = 0; i < n; i++) {
         if (placed[i]) continue;
         const Vec3 d = to_nearest_image(spheres[i].centre - spheres[next].centre);
         if (norm_squared(d) >= distance[i]) continue;
@@ -226,7 +226,7 @@ class Bodies {
 
   bool lie_across(const std::vector<Sphere> &spheres) const
   {
-    for (int d = 0; d < 3; ++d) {
+    for (int d = 0; d < 3; d++) {
       if (!is_wrapped_[d]) continue;
       const auto [low, high] = std::minmax_element(
           spheres.begin(), spheres.end(), [&](const Sphere &a, const Sphere &b) {
@@ -273,7 +273,7 @@ class Bodies {
     if (!velocity_.are_there()) return {0.0, 0.0, 0.0};
     Vec3 turn{0.0, 0.0, 0.0};
     double moment = 0.0;
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
+    for (std::size_t i = 0; i < spheres.size(); i++) {
       turn = turn + along[i] * cross(u, velocity_.of(spheres[i].row));
       moment += along[i] * along[i];
     }

@@ -11,13 +11,13 @@
 namespace spherocylinder {
 namespace {
 
-constexpr std::size_t first_block_bytes = std::size_t{1} << 16;
-constexpr std::size_t largest_block_bytes = std::size_t{1} << 22;
+constexpr std::size_t kFirstBlockBytes = std::size_t{1} << 16;
+constexpr std::size_t kLargestBlockBytes = std::size_t{1} << 22;
 
 }  // namespace
 
 LineSource::LineSource(const std::string &path)
-    : path_(path), bytes_(path), buffer_(first_block_bytes)
+    : path_(path), bytes_(path), buffer_(kFirstBlockBytes)
 {
 }
 
@@ -34,7 +34,7 @@ void LineSource::read_on()
   end_ -= begin_;
   begin_ = 0;
   if (line_number_ > 0 || end_ == buffer_.size())
-    buffer_.resize(std::min(2 * buffer_.size(), largest_block_bytes));
+    buffer_.resize(std::min(2 * buffer_.size(), kLargestBlockBytes));
   if (end_ == buffer_.size())
     fail(fmt::format("the line is longer than {} bytes: not a LIGGGHTS dump file", end_));
   std::size_t got = 0;
@@ -64,7 +64,7 @@ LineBlock LineSource::next_lines(std::uint64_t most)
       const void *line_end = std::memchr(buffer_.data() + stop, '\n', end_ - stop);
       if (line_end == nullptr) break;
       stop = static_cast<std::size_t>(static_cast<const char *>(line_end) - buffer_.data()) + 1;
-      ++lines;
+      lines++;
     }
     if (lines > 0 || most == 0) break;
     if (at_end_) {

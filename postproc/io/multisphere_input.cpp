@@ -16,22 +16,22 @@
 namespace spherocylinder {
 namespace {
 
-constexpr int most_spheres = 100000;
+constexpr int kMostSpheres = 100000;
 
 // Seeds of LIGGGHTS's random numbers. Nothing of a placed body depends on them, but the host wants
 // primes, all different within a command.
-constexpr int template_seed = 15485863, distribution_seed = 32452843, insertion_seed = 32452867;
+constexpr int kTemplateSeed = 15485863, kDistributionSeed = 32452843, kInsertionSeed = 32452867;
 
 // Points that the host tries for the share of each sphere in the body's volume, which only a
 // coupled flow solver uses: the fewest it accepts.
-constexpr int volume_tries = 1000;
+constexpr int kVolumeTries = 1000;
 
 // insert/pack knows no point: it gets a region so wide (of the box's largest coordinate) that the
 // numbers in it are still different ones.
-constexpr double point_width = 1e-13;
+constexpr double kPointWidth = 1e-13;
 
 // Of the deck's time step: the step of the insertion.
-constexpr double moment = 1e-15;
+constexpr double kMoment = 1e-15;
 
 double component(const Vec3 &a, int d)
 {
@@ -57,16 +57,16 @@ int SphereCount::of(const Capsule &rod) const
 {
   if (spheres) return *spheres;
   // Whole numbers of spacings that round-off has made a little longer are still whole.
-  constexpr double round_off = 1e-9;
+  constexpr double kRoundOff = 1e-9;
   const double gaps = 2.0 * rod.segment.half_length / (spacing.value() * rod.radius);
-  if (gaps > most_spheres) return most_spheres + 1;
-  return 1 + std::max(1, static_cast<int>(std::ceil(gaps * (1.0 - round_off))));
+  if (gaps > kMostSpheres) return kMostSpheres + 1;
+  return 1 + std::max(1, static_cast<int>(std::ceil(gaps * (1.0 - kRoundOff))));
 }
 
 std::vector<double> sphere_places(double half_length, int n)
 {
   std::vector<double> places;
-  for (int k = 0; k < n; ++k) places.push_back(half_length * (2.0 * k / (n - 1) - 1.0));
+  for (int k = 0; k < n; k++) places.push_back(half_length * (2.0 * k / (n - 1) - 1.0));
   return places;
 }
 
@@ -76,7 +76,7 @@ std::vector<RodKind> rod_kinds(const DumpFrame &frame, const std::vector<Rod> &r
   std::optional<std::size_t> column;
   if (!density) column = need_column(frame, "density", "--density");
   std::vector<RodKind> kinds;
-  for (std::size_t row = 0; row < rods.size(); ++row) {
+  for (std::size_t row = 0; row < rods.size(); row++) {
     const Rod &rod = rods[row];
     const auto fail = [&](const std::string &what) {
       throw InputError(
@@ -87,16 +87,16 @@ std::vector<RodKind> rod_kinds(const DumpFrame &frame, const std::vector<Rod> &r
     if (rod.is_sphere()) fail("it is a sphere, wanted rods longer than they are thick");
     const double radius = rod.capsule.radius, half_length = rod.capsule.segment.half_length;
     // Of one kind but for the dump's roundings.
-    const auto is_near = [](double a, double b) { return std::abs(a - b) <= length_rounding * b; };
+    const auto is_near = [](double a, double b) { return std::abs(a - b) <= kLengthRounding * b; };
     auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const RodKind &k) {
       return k.type == rod.type && is_near(radius, k.radius) &&
              is_near(half_length + radius, k.half_length + k.radius) && is_near(rho, k.density);
     });
     if (kind == kinds.end()) {
       const int n = count.of(rod.capsule);
-      if (n > most_spheres)
+      if (n > kMostSpheres)
         fail(fmt::format("it would be of more than {} spheres, wanted a wider spacing",
-                         most_spheres));
+                         kMostSpheres));
       kinds.push_back({rod.type, radius, half_length, rho, n, {}});
       kind = std::prev(kinds.end());
     }
@@ -109,7 +109,7 @@ BoxBounds multisphere_box(const DumpFrame &frame, const std::vector<Rod> &rods,
                           std::optional<double> margin)
 {
   BoxBounds box = frame.box;
-  for (int d = 0; d < 3; ++d) {
+  for (int d = 0; d < 3; d++) {
     if (frame.periodic[d]) continue;
     double low = INFINITY, high = -INFINITY;
     for (const Rod &rod : rods) {
@@ -132,7 +132,7 @@ std::string box_commands(const BoxBounds &box, const std::array<bool, 3> &period
   int types = 1;
   for (const RodKind &kind : kinds) types = std::max(types, kind.type);
   std::string flags, bounds;
-  for (int d = 0; d < 3; ++d) {
+  for (int d = 0; d < 3; d++) {
     flags += periodic[d] ? " p" : " f";
     bounds += fmt::format(" {} {}", box[d][0], box[d][1]);
   }
@@ -158,7 +158,7 @@ std::string body_commands(const DumpFrame &frame, const std::vector<Rod> &rods,
 {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
+  for (std::size_t k = 0; k < kinds.size(); k++) {
     const RodKind &kind = kinds[k];
     const MassProperties p = mass_of(kind);
     fmt::format_to(out,
@@ -166,29 +166,29 @@ std::string body_commands(const DumpFrame &frame, const std::vector<Rod> &rods,
                    "constant {3} nspheres {4} ntry {5} spheres file {6} scale 1.0 mass {7} "
                    "inertia_tensor {8} 0 0 {8} 0 {9} use_density type {0}\n"
                    "fix rods{0} all particledistribution/discrete {10} 1 rod_template{0} 1.0\n",
-                   k + 1, template_seed, kind.type, kind.density, kind.spheres, volume_tries,
+                   k + 1, kTemplateSeed, kind.type, kind.density, kind.spheres, kVolumeTries,
                    template_paths[k], p.mass, p.inertia_transverse, p.inertia_axial,
-                   distribution_seed);
+                   kDistributionSeed);
   }
 
   double largest = 0.0;
   for (const auto &bounds : box)
     largest = std::max({largest, std::abs(bounds[0]), std::abs(bounds[1])});
-  const double width = point_width * largest;
+  const double width = kPointWidth * largest;
   const VectorColumns velocity(frame, {"vx", "vy", "vz"});
   const VectorColumns omega(frame, {"omegax", "omegay", "omegaz"});
   std::array<std::size_t, 4> quaternion;  // rods_of has found them
-  for (int i = 0; i < 4; ++i) quaternion[i] = *frame.find_column(fmt::format("quat{}", i + 1));
+  for (int i = 0; i < 4; i++) quaternion[i] = *frame.find_column(fmt::format("quat{}", i + 1));
   // The host numbers bodies as they come: rods numbered 1, 2, 3 ... keep their ids.
   std::vector<std::pair<std::size_t, std::size_t>> order;  // row, kind
-  for (std::size_t k = 0; k < kinds.size(); ++k)
+  for (std::size_t k = 0; k < kinds.size(); k++)
     for (const std::size_t row : kinds[k].rods) order.emplace_back(row, k);
   std::sort(order.begin(), order.end(),
             [&](const auto &a, const auto &b) { return rods[a.first].id < rods[b.first].id; });
   for (const auto &[row, k] : order) {
     const Vec3 &centre = rods[row].capsule.segment.centre;
     std::string bounds;
-    for (int d = 0; d < 3; ++d) {
+    for (int d = 0; d < 3; d++) {
       double x = component(centre, d);
       if (frame.periodic[d]) x = wrapped(x, box[d]);
       // Half the width below, but not out of a box whose face it lies on.
@@ -205,7 +205,7 @@ std::string body_commands(const DumpFrame &frame, const std::vector<Rod> &rods,
                    "once verbose no overlapcheck no all_in no orientation constant {4} {5} {6} {7} "
                    "vel constant {8} {9} {10} omega constant {11} {12} {13} region rod{0} ntry_mc "
                    "1001 particles_in_region 1\n",
-                   rods[row].id, bounds, insertion_seed, k + 1, q.w, q.x, q.y, q.z, v.x, v.y, v.z,
+                   rods[row].id, bounds, kInsertionSeed, k + 1, q.w, q.x, q.y, q.z, v.x, v.y, v.z,
                    w.x, w.y, w.z);
   }
   // Insertion takes a step, so it is one in which nothing moves, and which is not counted. A
@@ -215,10 +215,10 @@ std::string body_commands(const DumpFrame &frame, const std::vector<Rod> &rods,
                  "variable rods_now equal step\nvariable rods_now equal ${{rods_now}}\n"
                  "variable rods_moment equal {}*${{rods_dt}}\ntimestep ${{rods_moment}}\n"
                  "run 1 post no\ntimestep ${{rods_dt}}\nreset_timestep ${{rods_now}}\n",
-                 moment);
+                 kMoment);
   for (const auto &[row, k] : order)
     fmt::format_to(out, "unfix rod{0}\nregion rod{0} delete\n", rods[row].id);
-  for (std::size_t k = 0; k < kinds.size(); ++k)
+  for (std::size_t k = 0; k < kinds.size(); k++)
     fmt::format_to(out, "unfix rods{0}\nunfix rod_template{0}\n", k + 1);
   fmt::format_to(
       out, "variable rods_dt delete\nvariable rods_now delete\nvariable rods_moment delete\n");

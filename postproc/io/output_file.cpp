@@ -46,9 +46,9 @@ bool is_ordinary(const fs::path &path)
 // What a link leads to, there or not; other paths as they are.
 fs::path end_of_links(fs::path path)
 {
-  constexpr int most_links = 40;
+  constexpr int kMostLinks = 40;
   std::error_code error;
-  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(path, error)); i++) {
     const fs::path next = fs::read_symlink(path, error);
     path = next.is_absolute() ? next : path.parent_path() / next;
   }

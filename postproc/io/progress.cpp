@@ -12,13 +12,13 @@ namespace spherocylinder {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds patience{500};
-constexpr std::chrono::milliseconds refresh{100};
+constexpr std::chrono::milliseconds kPatience{500};
+constexpr std::chrono::milliseconds kRefresh{100};
 
 }  // namespace
 
 Progress::Progress(std::string what)
-    : what_(std::move(what)), on_(isatty(STDERR_FILENO) != 0), next_(Clock::now() + patience)
+    : what_(std::move(what)), on_(isatty(STDERR_FILENO) != 0), next_(Clock::now() + kPatience)
 {
 }
 
@@ -32,7 +32,7 @@ Progress::~Progress()
 void Progress::show(double part)
 {
   if (!on_ || Clock::now() < next_) return;
-  next_ = Clock::now() + refresh;
+  next_ = Clock::now() + kRefresh;
   shown_ = true;
   fmt::print(stderr, "\r\033[K{}, {:.0f} %", what_, 100.0 * part);
   std::fflush(stderr);

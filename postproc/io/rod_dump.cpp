@@ -13,11 +13,11 @@
 namespace spherocylinder {
 namespace {
 
-constexpr int all_digits = 17;  // of a double
+constexpr int kAllDigits = 17;  // of a double
 
 int digits_of(const DumpFrame &frame, std::initializer_list<const char *> names)
 {
-  int digits = least_digits;
+  int digits = kLeastDigits;
   for (const char *name : names)
     if (const auto column = frame.find_column(name))
       digits = std::max(digits, digits_of_column(frame, *column));
@@ -48,8 +48,8 @@ void RodDump::add(const DumpFrame &frame, const std::vector<GluedRod> &rods)
   for (const auto &bounds : frame.box) fmt::format_to(out, "\n{} {}", bounds[0], bounds[1]);
   fmt::format_to(out, "\nITEM: ATOMS id type");
   const PlaceColumns places(frame);
-  int place_digits = least_digits;
-  for (int d = 0; d < 3; ++d) {
+  int place_digits = kLeastDigits;
+  for (int d = 0; d < 3; d++) {
     const std::string &name = frame.columns[places.column(d)];
     fmt::format_to(out, " {}{}", "xyz"[d], name.back() == 'u' ? "u" : "");
     place_digits = std::max(place_digits, digits_of_column(frame, places.column(d)));
@@ -88,7 +88,7 @@ std::string rod_data_file(const DumpFrame &frame, const std::vector<GluedRod> &r
   for (const GluedRod &g : rods) types = std::max(types, g.rod.type);
   fmt::format_to(out, "Rods of {}, step {}\n\n{} atoms\n{} atom types\n\n", frame.path, frame.step,
                  rods.size(), types);
-  for (int d = 0; d < 3; ++d)
+  for (int d = 0; d < 3; d++)
     fmt::format_to(out, "{0} {1} {2}lo {2}hi\n", frame.box[d][0], frame.box[d][1], "xyz"[d]);
   fmt::format_to(out, "\nAtoms\n\n");
   for (const GluedRod &g : rods) {
@@ -100,15 +100,15 @@ std::string rod_data_file(const DumpFrame &frame, const std::vector<GluedRod> &r
                       "column 'density' of numbers > 0",
                       frame.path, frame.step, g.rod.id));
     fmt::format_to(out, "{} {} {} {} {}", g.rod.id, g.rod.type, 2.0 * c.radius, c.length(), rho);
-    put(text, c.segment.centre, all_digits);
-    put(text, c.segment.axis, all_digits);
+    put(text, c.segment.centre, kAllDigits);
+    put(text, c.segment.axis, kAllDigits);
     text.push_back('\n');
   }
   fmt::format_to(out, "\nVelocities\n\n");
   for (const GluedRod &g : rods) {
     fmt::format_to(out, "{}", g.rod.id);
-    put(text, g.velocity, all_digits);
-    put(text, g.omega, all_digits);
+    put(text, g.velocity, kAllDigits);
+    put(text, g.omega, kAllDigits);
     text.push_back('\n');
   }
   return fmt::to_string(text);

@@ -16,8 +16,8 @@ namespace spherocylinder {
 namespace {
 
 // What is larger is no rod; volumes and grids would overflow.
-constexpr double largest_size = 1e6;  // radius (m)
-constexpr double largest_aspect_ratio = 1e6;
+constexpr double kLargestSize = 1e6;  // radius (m)
+constexpr double kLargestAspectRatio = 1e6;
 
 // Half a unit in the last of so many digits of a number.
 double half_last_digit(int digits, double number)
@@ -43,16 +43,16 @@ class RodColumns {
 
   std::vector<double> place_roundings(const std::vector<Rod> &rods) const
   {
-    int digits = least_digits, quaternion_digits = least_digits;
-    for (int d = 0; d < 3; ++d)
+    int digits = kLeastDigits, quaternion_digits = kLeastDigits;
+    for (int d = 0; d < 3; d++)
       digits = std::max(digits, digits_of_column(frame_, centre_.column(d)));
     for (const std::size_t column : quaternion_)
       quaternion_digits = std::max(quaternion_digits, digits_of_column(frame_, column));
     const double turn = 4.0 * half_last_digit(quaternion_digits, 0.5);
     std::vector<double> roundings;
-    for (std::size_t row = 0; row < rods.size(); ++row) {
+    for (std::size_t row = 0; row < rods.size(); row++) {
       double place = 0.0;
-      for (int d = 0; d < 3; ++d)
+      for (int d = 0; d < 3; d++)
         place = std::max(place, centre_.scale(d) * half_last_digit(digits, frame_.value(
                                                        row, centre_.column(d))));
       roundings.push_back(std::sqrt(3.0) * place + turn * rods[row].capsule.segment.half_length);
@@ -74,9 +74,9 @@ class RodColumns {
  private:
   int type(std::size_t row) const
   {
-    constexpr double largest_type = 1e6;
+    constexpr double kLargestType = 1e6;
     const double type = frame_.value(row, *type_);
-    if (!(type >= 1.0 && type <= largest_type && type == std::floor(type)))
+    if (!(type >= 1.0 && type <= kLargestType && type == std::floor(type)))
       fail(row, fmt::format("type is {}, wanted a whole number >= 1", type));
     return static_cast<int>(type);
   }
@@ -84,25 +84,25 @@ class RodColumns {
   double coordinate(std::size_t row, int direction) const
   {
     const double x = centre_.of(row, direction);
-    if (!(std::abs(x) < largest_place))
+    if (!(std::abs(x) < kLargestPlace))
       fail(row, fmt::format("{} is {:g} m, wanted less than {:g} m", "xyz"[direction], x,
-                            largest_place));
+                            kLargestPlace));
     return x;
   }
 
   double half_length(std::size_t row, double radius) const
   {
     if (!(radius > 0.0)) fail(row, fmt::format("shapex is {}, wanted a radius > 0", radius));
-    const double slack = length_rounding * radius;
+    const double slack = kLengthRounding * radius;
     if (shapey_ && std::abs(frame_.value(row, *shapey_) - radius) > slack)
       fail(row, fmt::format("shapey is {}, wanted {} as shapex has (a rod is round)",
                             frame_.value(row, *shapey_), radius));
     const double half_total = frame_.value(row, shapez_);
-    if (!(radius < largest_size && half_total < largest_aspect_ratio * radius))
+    if (!(radius < kLargestSize && half_total < kLargestAspectRatio * radius))
       fail(row,
            fmt::format("shapex is {} and shapez {}, wanted less than {:g} m and an aspect ratio "
                        "below {:g}",
-                       radius, half_total, largest_size, largest_aspect_ratio));
+                       radius, half_total, kLargestSize, kLargestAspectRatio));
     if (half_total < radius - slack)
       fail(row, fmt::format("shapez is {}, wanted at least shapex, {}", half_total, radius));
     return half_total <= radius + slack ? 0.0 : half_total - radius;
@@ -113,7 +113,7 @@ class RodColumns {
     const Quaternion q{frame_.value(row, quaternion_[0]), frame_.value(row, quaternion_[1]),
                        frame_.value(row, quaternion_[2]), frame_.value(row, quaternion_[3])};
     const double norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    if (!(std::abs(norm - 1.0) <= quaternion_norm_tolerance))
+    if (!(std::abs(norm - 1.0) <= kQuaternionNormTolerance))
       fail(row, fmt::format("the norm of quat1..4 is {:.6g}, wanted 1", norm));
     return axis_of(normalized(q));
   }
@@ -141,7 +141,7 @@ std::vector<Rod> rods_of(const DumpFrame &frame)
   const RodColumns columns(frame);
   std::vector<Rod> rods;
   rods.reserve(frame.rows);
-  for (std::size_t row = 0; row < frame.rows; ++row) rods.push_back(columns.rod(row));
+  for (std::size_t row = 0; row < frame.rows; row++) rods.push_back(columns.rod(row));
   return rods;
 }
 

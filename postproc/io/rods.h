@@ -20,10 +20,10 @@ struct Rod {
 
 // Dumps print about six digits, so that a unit quaternion comes back with a norm up to 1e-5 away
 // from 1; what is further away than this was never a unit quaternion.
-constexpr double quaternion_norm_tolerance = 1e-3;
+constexpr double kQuaternionNormTolerance = 1e-3;
 
 // Relative; six printed digits of two lengths that were equal.
-constexpr double length_rounding = 2e-5;
+constexpr double kLengthRounding = 2e-5;
 
 // Rods in the order of the frame's rows. Reads id, x y z (or xu yu zu, or xs ys zs or xsu ysu zsu
 // scaled by the box), shapex (radius), shapez (half the total length) and quat1..4 (w, x, y, z; the

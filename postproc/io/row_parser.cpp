@@ -14,19 +14,19 @@
 namespace spherocylinder {
 namespace {
 
-constexpr std::size_t piece_bytes = std::size_t{1} << 18;
+constexpr std::size_t kPieceBytes = std::size_t{1} << 18;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 const char *skip_blanks(const char *at, const char *end)
 {
-  while (at != end && is_blank(*at)) ++at;
+  while (at != end && is_blank(*at)) at++;
   return at;
 }
 
 const char *skip_word(const char *at, const char *end)
 {
-  while (at != end && !is_blank(*at)) ++at;
+  while (at != end && !is_blank(*at)) at++;
   return at;
 }
 
@@ -34,7 +34,7 @@ const char *skip_word(const char *at, const char *end)
 // first. Returns the end of the word, or null.
 const char *read_number(const char *at, const char *end, double &number)
 {
-  if (at != end && *at == '+') ++at;
+  if (at != end && *at == '+') at++;
   const auto [stop, error] = std::from_chars(at, end, number);
   const bool good = error == std::errc{} && (stop == end || is_blank(*stop));
   return good && std::isfinite(number) ? stop : nullptr;
@@ -52,7 +52,7 @@ std::vector<Piece> pieces_of(const LineBlock &block)
   std::size_t line = 0;
   for (std::string_view rest = block.text; !rest.empty();) {
     const std::size_t cut =
-        rest.size() > piece_bytes ? rest.find('\n', piece_bytes) + 1 : rest.size();
+        rest.size() > kPieceBytes ? rest.find('\n', kPieceBytes) + 1 : rest.size();
     pieces.push_back({rest.substr(0, cut), line});
     line += static_cast<std::size_t>(std::count(rest.begin(), rest.begin() + cut, '\n'));
     rest.remove_prefix(cut);
@@ -73,7 +73,7 @@ std::optional<RowParser::Failure> RowParser::append(const LineBlock &block,
   for_each_piece(pieces.size(), 1, [&](std::size_t i, std::size_t) {
     failures[i] = parse(pieces[i].text, values.data() + before + pieces[i].first_line * width);
   });
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  for (std::size_t i = 0; i < pieces.size(); i++) {
     if (!failures[i]) continue;
     failures[i]->line += pieces[i].first_line;
     return failures[i];
@@ -85,7 +85,7 @@ std::optional<RowParser::Failure> RowParser::parse(std::string_view text, double
 {
   const char *at = text.data();
   const char *const end = at + text.size();
-  for (std::size_t line = 0; at != end; ++line, out += columns_.size()) {
+  for (std::size_t line = 0; at != end; line++, out += columns_.size()) {
     const auto *line_end = static_cast<const char *>(std::memchr(at, '\n', end - at));
     if (!parse_line(at, line_end, out)) {
       const std::string_view bad(at, line_end - at);
@@ -122,7 +122,7 @@ std::string RowParser::complaint(std::string_view line) const
     const auto number = to_number<double>(word);
     if (!number || !std::isfinite(*number))
       return fmt::format("column {} is {}, wanted a finite number", shown(*column), shown(word));
-    ++column;
+    column++;
   }
   return fmt::format("too many words, wanted {}", is_text_.size());
 }

@@ -13,20 +13,20 @@
 
 namespace spherocylinder {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view kBlanks = " \t\r";
 
 inline std::string_view trimmed_end(std::string_view text)
 {
-  const auto last = text.find_last_not_of(blanks);
+  const auto last = text.find_last_not_of(kBlanks);
   return last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
 }
 
 // Takes the first word off `text`; empty when there is none left.
 inline std::string_view take_word(std::string_view &text)
 {
-  const auto begin = text.find_first_not_of(blanks);
+  const auto begin = text.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return text = {};
-  const auto end = text.find_first_of(blanks, begin);
+  const auto end = text.find_first_of(kBlanks, begin);
   const std::string_view word = text.substr(begin, end - begin);
   text = end == std::string_view::npos ? std::string_view{} : text.substr(end);
   return word;

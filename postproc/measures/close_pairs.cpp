@@ -18,14 +18,14 @@ namespace {
 
 // Rods a block, at most. With fewer, more of the partners are in other blocks; with more, the cells
 // do not stay in the caches. The time is flat between 1000 and 4000.
-constexpr std::ptrdiff_t most_in_a_block = 2048;
+constexpr std::ptrdiff_t kMostInABlock = 2048;
 
 // And no more than so many diameters of length, unless it is one rod: what a search needs of memory
 // goes with them.
-constexpr double most_length_of_a_block = 1e6;
+constexpr double kMostLengthOfABlock = 1e6;
 
 // Room for the rounding of positions, in radii of the thickest rod.
-constexpr double slack = 1e-6;
+constexpr double kSlack = 1e-6;
 
 double component(const Vec3 &a, int d) { return d == 0 ? a.x : d == 1 ? a.y : a.z; }
 
@@ -48,7 +48,7 @@ using Bounds = std::array<std::array<double, 2>, 3>;  // lower and upper in x, y
 
 bool meet(const Bounds &a, const Bounds &b)
 {
-  for (int d = 0; d < 3; ++d)
+  for (int d = 0; d < 3; d++)
     if (a[d][0] > b[d][1] || b[d][0] > a[d][1]) return false;
   return true;
 }
@@ -65,10 +65,10 @@ class BlockSearch {
         searched_gap_(std::max(0.0, largest_gap) + room)
   {
     placed_.reserve(rods.size());
-    for (std::uint32_t i = 0; i < rods.size(); ++i) {
+    for (std::uint32_t i = 0; i < rods.size(); i++) {
       const Vec3 &centre = rods[i].capsule.segment.centre;
       Image image{};
-      for (int d = 0; d < 3; ++d)
+      for (int d = 0; d < 3; d++)
         if (box.side[d] > 0.0) image[d] = -sides_away(rods[i], d);
       placed_.push_back(moved({i, {}, centre}, image));
     }
@@ -84,9 +84,9 @@ class BlockSearch {
     std::vector<PlacedRod> placed(blocks_[block].begin, blocks_[block].end);
     const int owned = static_cast<int>(placed.size());
     const auto most = [&](int d) { return box_.side[d] > 0.0 ? 1 : 0; };
-    for (int x = 0; x <= most(0); ++x)
-      for (int y = -most(1); y <= most(1); ++y)
-        for (int z = -most(2); z <= most(2); ++z)
+    for (int x = 0; x <= most(0); x++)
+      for (int y = -most(1); y <= most(1); y++)
+        for (int z = -most(2); z <= most(2); z++)
           if (const Image image{x, y, z}; image >= Image{}) add_partners(block, image, placed);
 
     std::vector<Capsule> capsules;
@@ -98,8 +98,8 @@ class BlockSearch {
     NearPairs near;
     near.find(capsules, owned, searched_gap_);
     std::vector<Candidate> candidates;
-    for (int i = 0; i < owned; ++i)
-      for (int k = near.first(i); k < near.first(i + 1); ++k) {
+    for (int i = 0; i < owned; i++)
+      for (int k = near.first(i); k < near.first(i + 1); k++) {
         const PlacedRod &a = placed[i], &b = placed[near.partners()[k]];
         if (a.rod != b.rod) candidates.push_back(a.rod < b.rod ? candidate(a, b) : candidate(b, a));
       }
@@ -121,12 +121,12 @@ class BlockSearch {
 
   int sides_away(const Rod &rod, int d) const
   {
-    constexpr double furthest = 1e9;
+    constexpr double kFurthest = 1e9;
     const double sides = std::floor(component(rod.capsule.segment.centre, d) / box_.side[d]);
-    if (!(std::abs(sides) < furthest))
+    if (!(std::abs(sides) < kFurthest))
       throw InputError(fmt::format(
           "{}rod {} is {:g} sides of the periodic box away in {}, wanted less than {:g}",
-          box_.where, rod.id, sides, "xyz"[d], furthest));
+          box_.where, rod.id, sides, "xyz"[d], kFurthest));
     return static_cast<int>(sides);
   }
 
@@ -142,7 +142,7 @@ class BlockSearch {
   Bounds bounds_of(const PlacedRod &p) const
   {
     Bounds bounds;
-    for (int d = 0; d < 3; ++d) {
+    for (int d = 0; d < 3; d++) {
       const double half = half_extent(rods_[p.rod].capsule, d) + 0.5 * searched_gap_;
       bounds[d] = {component(p.centre, d) - half, component(p.centre, d) + half};
     }
@@ -152,7 +152,7 @@ class BlockSearch {
   double length(Iterator begin, Iterator end) const
   {
     double sum = 0.0;
-    for (auto p = begin; p != end; ++p) sum += rods_[p->rod].capsule.aspect_ratio();
+    for (auto p = begin; p != end; p++) sum += rods_[p->rod].capsule.aspect_ratio();
     return sum;
   }
 
@@ -160,11 +160,11 @@ class BlockSearch {
   // rod far away ends up in a block of its own.
   void cut(Iterator begin, Iterator end)
   {
-    const bool too_long = end - begin > 1 && length(begin, end) > most_length_of_a_block;
-    if (end - begin > most_in_a_block || too_long) {
+    const bool too_long = end - begin > 1 && length(begin, end) > kMostLengthOfABlock;
+    if (end - begin > kMostInABlock || too_long) {
       int across = 0;
       double longest = 0.0, middle = 0.0;
-      for (int d = 0; d < 3; ++d) {
+      for (int d = 0; d < 3; d++) {
         const auto [low, high] = std::minmax_element(begin, end, [&](const auto &a, const auto &b) {
           return component(a.centre, d) < component(b.centre, d);
         });
@@ -184,9 +184,9 @@ class BlockSearch {
       }
     }
     Block block{begin, end, bounds_of(*begin)};
-    for (auto p = begin; p != end; ++p) {
+    for (auto p = begin; p != end; p++) {
       const Bounds of_rod = bounds_of(*p);
-      for (int d = 0; d < 3; ++d) {
+      for (int d = 0; d < 3; d++) {
         block.bounds[d][0] = std::min(block.bounds[d][0], of_rod[d][0]);
         block.bounds[d][1] = std::max(block.bounds[d][1], of_rod[d][1]);
       }
@@ -198,11 +198,11 @@ class BlockSearch {
   void add_partners(std::size_t block, const Image &image, std::vector<PlacedRod> &placed) const
   {
     Bounds reached = blocks_[block].bounds;  // as seen from the image
-    for (int d = 0; d < 3; ++d)
+    for (int d = 0; d < 3; d++)
       for (double &bound : reached[d]) bound -= image[d] * box_.side[d];
-    for (std::size_t other = image == Image{} ? block + 1 : 0; other < blocks_.size(); ++other)
+    for (std::size_t other = image == Image{} ? block + 1 : 0; other < blocks_.size(); other++)
       if (meet(reached, blocks_[other].bounds))
-        for (auto p = blocks_[other].begin; p != blocks_[other].end; ++p)
+        for (auto p = blocks_[other].begin; p != blocks_[other].end; p++)
           if (meet(reached, bounds_of(*p))) placed.push_back(moved(*p, image));
   }
 
@@ -210,7 +210,7 @@ class BlockSearch {
   Candidate candidate(const PlacedRod &i, const PlacedRod &j) const
   {
     Image between;
-    for (int d = 0; d < 3; ++d) between[d] = j.image[d] - i.image[d];
+    for (int d = 0; d < 3; d++) between[d] = j.image[d] - i.image[d];
     Segment image = rods_[j.rod].capsule.segment;
     image.centre = moved({j.rod, {}, image.centre}, between).centre;
     return {i.rod, j.rod, image};
@@ -224,13 +224,13 @@ class BlockSearch {
     for (std::size_t start = 0; start < candidates.size(); start += kBatch) {
       const Candidate *of_batch = &candidates[start];
       const int count = static_cast<int>(std::min<std::size_t>(kBatch, candidates.size() - start));
-      for (int k = 0; k < count; ++k) {
+      for (int k = 0; k < count; k++) {
         const auto &[i, j, image] = of_batch[k];
         const double reach = rods_[i].capsule.radius + rods_[j].capsule.radius + contact_gap_;
         batch.set(k, rods_[i].capsule.segment, image, reach);
       }
       closest_points(batch);
-      for (int k = 0; k < count; ++k) {
+      for (int k = 0; k < count; k++) {
         const auto &[i, j, image] = of_batch[k];
         const Capsule &rod_i = rods_[i].capsule, &rod_j = rods_[j].capsule;
         if (batch.uncertain[k] != 0.0) make_certain(batch, k, rod_i.segment, image);
@@ -262,7 +262,7 @@ Periodicity periodicity_of(const DumpFrame &frame)
 {
   Periodicity box;
   box.where = fmt::format("{}: step {}: ", frame.path, frame.step);
-  for (int d = 0; d < 3; ++d) {
+  for (int d = 0; d < 3; d++) {
     if (!frame.periodic[d]) continue;
     if (frame.box_is_tilted)
       throw InputError(
@@ -284,10 +284,10 @@ std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodici
   std::array<double, 3> least{};
   for (const Rod &rod : rods) {
     largest_radius = std::max(largest_radius, rod.capsule.radius);
-    for (int d = 0; d < 3; ++d)
+    for (int d = 0; d < 3; d++)
       least[d] = std::max(least[d], 2.0 * half_extent(rod.capsule, d) + largest_gap);
   }
-  for (int d = 0; d < 3; ++d)
+  for (int d = 0; d < 3; d++)
     if (box.side[d] > 0.0 && box.side[d] < least[d])
       throw InputError(
           fmt::format("{}the periodic box is {:.6g} m wide in {}, wanted at least {:.6g} m "
@@ -295,7 +295,7 @@ std::vector<ClosePair> close_pairs(const std::vector<Rod> &rods, const Periodici
                       box.where, box.side[d], "xyz"[d], least[d]));
 
   const BlockSearch search(rods, box, largest_gap, contact_gap.value_or(largest_gap),
-                           slack * largest_radius);
+                           kSlack * largest_radius);
   std::vector<std::vector<ClosePair>> found(search.blocks());
   Progress progress("finding contacts");
   std::mutex screen;

@@ -24,7 +24,7 @@ struct Keyword {
 
 // In the order of the columns, whatever that of the keywords
 // (docs/compute_gran_local_spherocylinder.md).
-constexpr std::array<Keyword, 15> all_keywords{{{"pos", 6},
+constexpr std::array<Keyword, 15> kAllKeywords{{{"pos", 6},
                                                 {"vel", 6},
                                                 {"id", 3},
                                                 {"force", 3},
@@ -52,7 +52,7 @@ std::set<std::string_view> words_of(std::string_view text)
 std::size_t first_column(const std::set<std::string_view> &words, std::string_view name)
 {
   std::size_t column = 1;
-  for (const Keyword &keyword : all_keywords) {
+  for (const Keyword &keyword : kAllKeywords) {
     if (keyword.name == name) break;
     if (words.count(keyword.name)) column += keyword.columns;
   }
@@ -104,15 +104,15 @@ class Sets {
 
 LocalForces::LocalForces(const std::string &path, LocalKind kind, const std::string &keywords,
                          const std::string &option)
-    : kind_(kind), option_(option), reader_(path, DumpKind::entries)
+    : kind_(kind), option_(option), reader_(path, DumpKind::Entries)
 {
   const auto words = words_of(keywords);
   for (const std::string_view word : words)
-    if (std::none_of(all_keywords.begin(), all_keywords.end(),
+    if (std::none_of(kAllKeywords.begin(), kAllKeywords.end(),
                      [&](const Keyword &keyword) { return keyword.name == word; }))
       throw InputError(
           fmt::format("{}: {} is no keyword of compute {}/gran/local", option, shown(word),
-                      kind == LocalKind::pairs ? "pair" : "wall"));
+                      kind == LocalKind::Pairs ? "pair" : "wall"));
   for (const char *wanted : {"id", "force"})
     if (!words.count(wanted))
       throw InputError(
@@ -125,10 +125,10 @@ LocalForces::LocalForces(const std::string &path, LocalKind kind, const std::str
 std::vector<std::size_t> LocalForces::columns_of(std::size_t first, std::size_t count,
                                                  const char *what) const
 {
-  constexpr auto nowhere = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> found(count, nowhere);
+  constexpr auto kNowhere = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> found(count, kNowhere);
   std::string_view id;
-  for (std::size_t k = 0; k < frame_.columns.size(); ++k) {
+  for (std::size_t k = 0; k < frame_.columns.size(); k++) {
     const auto column = compute_column(frame_.columns[k]);
     if (!column) continue;
     if (!id.empty() && id != column->id)
@@ -138,8 +138,8 @@ std::vector<std::size_t> LocalForces::columns_of(std::size_t first, std::size_t 
     if (column->number >= first && column->number < first + count)
       found[column->number - first] = k;
   }
-  for (std::size_t k = 0; k < count; ++k)
-    if (found[k] == nowhere)
+  for (std::size_t k = 0; k < count; k++)
+    if (found[k] == kNowhere)
       throw InputError(fmt::format("{}:{}: column c_ID[{}] is missing, wanted the {} (by {})",
                                    frame_.path, frame_.header_line, first + k, what, option_));
   return found;
@@ -169,15 +169,15 @@ std::vector<ContactForce> LocalForces::at_step(const DumpFrame &rods_frame,
   } while (frame_.step < rods_frame.step);
 
   std::unordered_map<std::int64_t, std::uint32_t> index;
-  for (std::uint32_t k = 0; k < rods.size(); ++k) index[rods[k].id] = k;
-  const auto ids = kind_ == LocalKind::pairs ? columns_of(id_, 2, "rods' ids")
+  for (std::uint32_t k = 0; k < rods.size(); k++) index[rods[k].id] = k;
+  const auto ids = kind_ == LocalKind::Pairs ? columns_of(id_, 2, "rods' ids")
                                              : columns_of(id_ + 2, 1, "rod's id");
   const auto components = columns_of(force_, 3, "force");
   std::vector<ContactForce> forces;
-  for (std::size_t row = 0; row < frame_.rows; ++row) {
+  for (std::size_t row = 0; row < frame_.rows; row++) {
     const Vec3 force{frame_.value(row, components[0]), frame_.value(row, components[1]),
                      frame_.value(row, components[2])};
-    if (kind_ == LocalKind::walls) {
+    if (kind_ == LocalKind::Walls) {
       const std::uint32_t rod = rod_of(row, ids[0], index, rods_frame);
       forces.push_back({rod, rod, force});
       continue;
@@ -202,13 +202,13 @@ ForceChains force_chains(std::size_t rods, const std::vector<ContactForce> &pair
   Sets sets(rods);
   for (const ContactForce &contact : pairs) {
     if (!(norm(contact.force) > chains.threshold)) continue;
-    ++chains.strong;
+    chains.strong++;
     sets.join(contact.i, contact.j);
   }
   std::vector<std::size_t> size(rods, 0);
-  for (std::uint32_t k = 0; k < rods; ++k) ++size[sets.find(k)];
+  for (std::uint32_t k = 0; k < rods; k++) size[sets.find(k)]++;
   std::vector<std::uint32_t> heads;
-  for (std::uint32_t k = 0; k < rods; ++k)
+  for (std::uint32_t k = 0; k < rods; k++)
     if (size[k] > 1) heads.push_back(k);
   std::stable_sort(heads.begin(), heads.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return size[a] > size[b]; });
@@ -217,7 +217,7 @@ ForceChains force_chains(std::size_t rods, const std::vector<ContactForce> &pair
     chains.sizes.push_back(size[head]);
     number[head] = static_cast<std::uint32_t>(chains.sizes.size());
   }
-  for (std::uint32_t k = 0; k < rods; ++k) chains.chain_of_rod[k] = number[sets.find(k)];
+  for (std::uint32_t k = 0; k < rods; k++) chains.chain_of_rod[k] = number[sets.find(k)];
   return chains;
 }
 

@@ -13,7 +13,7 @@
 
 namespace spherocylinder {
 
-enum class LocalKind { pairs, walls };
+enum class LocalKind { Pairs, Walls };
 
 struct ContactForce {
   std::uint32_t i, j;  // indices into the rods; at a wall i alone is of meaning
@@ -21,7 +21,7 @@ struct ContactForce {
 };
 
 // What the compute writes if its command names no keywords.
-constexpr const char *default_local_keywords =
+constexpr const char *kDefaultLocalKeywords =
     "pos vel id force torque history contactArea";
 
 class LocalForces {

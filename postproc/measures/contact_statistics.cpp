@@ -12,7 +12,7 @@ std::vector<WallContact> wall_contacts(const std::vector<Rod> &rods, const Vesse
                                        double largest_gap)
 {
   std::vector<WallContact> contacts;
-  for (std::uint32_t k = 0; k < rods.size(); ++k) {
+  for (std::uint32_t k = 0; k < rods.size(); k++) {
     const Segment &segment = rods[k].capsule.segment;
     const double radius = rods[k].capsule.radius;
     for (const bool at_plus : {false, true}) {
@@ -33,15 +33,15 @@ std::vector<std::uint32_t> pair_contact_numbers(std::size_t rods,
 {
   std::vector<std::uint32_t> numbers(rods, 0);
   for (const ClosePair &pair : pairs) {
-    ++numbers[pair.i];
-    ++numbers[pair.j];
+    numbers[pair.i]++;
+    numbers[pair.j]++;
   }
   return numbers;
 }
 
 void add_wall_contacts(std::vector<std::uint32_t> &numbers, const std::vector<WallContact> &walls)
 {
-  for (const WallContact &contact : walls) ++numbers[contact.rod];
+  for (const WallContact &contact : walls) numbers[contact.rod]++;
 }
 
 // closest_points clamps to the half length itself, so that no tolerance is needed.
@@ -51,8 +51,8 @@ CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<Close
 {
   std::array<std::size_t, 3> counts{};  // by the number of ends
   for (const ClosePair &pair : pairs)
-    ++counts[at_end(pair.s, rods[pair.i].capsule.segment.half_length) +
-             at_end(pair.t, rods[pair.j].capsule.segment.half_length)];
+    counts[at_end(pair.s, rods[pair.i].capsule.segment.half_length) +
+             at_end(pair.t, rods[pair.j].capsule.segment.half_length)]++;
   return {part_of(counts[0], pairs.size()), part_of(counts[1], pairs.size()),
           part_of(counts[2], pairs.size())};
 }
@@ -113,10 +113,10 @@ std::vector<HistogramBin> histogram(const std::vector<double> &values, double hi
 {
   std::vector<HistogramBin> found(bins);
   const double width = high / static_cast<double>(bins);
-  for (std::size_t k = 0; k < bins; ++k)
+  for (std::size_t k = 0; k < bins; k++)
     found[k] = {width * static_cast<double>(k), width * static_cast<double>(k + 1), 0, {}};
   for (const double value : values)
-    if (value < high) ++found[std::min(bins - 1, static_cast<std::size_t>(value / width))].count;
+    if (value < high) found[std::min(bins - 1, static_cast<std::size_t>(value / width))].count++;
   for (HistogramBin &bin : found) bin.part = part_of(bin.count, values.size());
   return found;
 }

@@ -87,6 +87,6 @@ std::vector<HistogramBin> histogram(const std::vector<double> &values, double hi
 
 // <|sin gamma|> of touching pairs that know nothing of each other, for long isotropic rods: they
 // meet in proportion to |sin gamma|, so that it is <sin^2>/<sin> = (2/3)/(pi/4).
-constexpr double isotropic_contact_sin_gamma = 0.84882636315677518;
+constexpr double kIsotropicContactSinGamma = 0.84882636315677518;
 
 }  // namespace spherocylinder

@@ -16,7 +16,7 @@ namespace {
 double edge_of(std::size_t i, std::size_t bins, BinSpacing spacing)
 {
   const double part = static_cast<double>(i) / static_cast<double>(bins);
-  return spacing == BinSpacing::equal_angle ? part * 0.5 * pi : std::asin(part);
+  return spacing == BinSpacing::EqualAngle ? part * 0.5 * pi : std::asin(part);
 }
 
 }  // namespace
@@ -55,10 +55,10 @@ MeanWithError sin_gamma_of_pairs(const std::vector<Vec3> &axes, std::size_t most
   const std::size_t n = std::min(axes.size(), most_axes);
   if (n < 2) return {none, none};
   std::vector<Vec3> picked(n);
-  for (std::size_t i = 0; i < n; ++i) picked[i] = axes[i * axes.size() / n];
+  for (std::size_t i = 0; i < n; i++) picked[i] = axes[i * axes.size() / n];
   std::vector<double> mean_of_axis(n, 0.0), squares(n, 0.0);
   for_each_piece(n, 256, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = first; i < last; i++)
       for (const Vec3 &u : picked) {
         const double sine_squared = norm_squared(cross(picked[i], u));
         mean_of_axis[i] += std::sqrt(sine_squared) / static_cast<double>(n - 1);
@@ -160,7 +160,7 @@ std::vector<ElevationBin> elevation_histogram(const std::vector<Vec3> &axes, std
                                               BinSpacing spacing)
 {
   std::vector<ElevationBin> histogram(bins);
-  for (std::size_t i = 0; i < bins; ++i) {
+  for (std::size_t i = 0; i < bins; i++) {
     histogram[i] = {};
     histogram[i].low = edge_of(i, bins, spacing);
     histogram[i].high = edge_of(i + 1, bins, spacing);

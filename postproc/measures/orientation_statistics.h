@@ -14,9 +14,9 @@ std::vector<Vec3> axes_of(const std::vector<Rod> &rods);
 
 // Axes that point anywhere with equal chance have P(elevation < a) = sin a, so that the mean
 // elevation is integral_0^(pi/2) a cos a da = pi/2 - 1.
-constexpr double isotropic_mean_elevation = 0.57079632679489662;  // rad, 32.70 degrees
-constexpr double isotropic_mean_abs_uz = 0.5;
-constexpr double isotropic_mean_uz_squared = 1.0 / 3.0;
+constexpr double kIsotropicMeanElevation = 0.57079632679489662;  // rad, 32.70 degrees
+constexpr double kIsotropicMeanAbsUz = 0.5;
+constexpr double kIsotropicMeanUzSquared = 1.0 / 3.0;
 
 MeanWithError mean_elevation(const std::vector<Vec3> &axes);  // rad
 MeanWithError mean_abs_uz(const std::vector<Vec3> &axes);
@@ -24,8 +24,8 @@ MeanWithError mean_uz_squared(const std::vector<Vec3> &axes);
 
 // <|sin gamma|> over all pairs of axes. For more than `most_axes` an evenly spread part of that
 // many stands for all, since the work grows with the square. 0 for a single axis.
-constexpr std::size_t most_axes_paired = 10000;
-double mean_sin_gamma(const std::vector<Vec3> &axes, std::size_t most_axes = most_axes_paired);
+constexpr std::size_t kMostAxesPaired = 10000;
+double mean_sin_gamma(const std::vector<Vec3> &axes, std::size_t most_axes = kMostAxesPaired);
 
 // The same with its standard error for independent axes. n axes make n^2/2 pairs, but these are not
 // independent: the variance of the mean is
@@ -34,7 +34,7 @@ double mean_sin_gamma(const std::vector<Vec3> &axes, std::size_t most_axes = mos
 // i, 0 for isotropic axes (Hoeffding, Ann. Math. Stat. 19 (1948) 293). (n - 2) V_1 is estimated
 // from the h_i found, (n - 1) var(h) - V_2. NaN for a single axis.
 MeanWithError sin_gamma_of_pairs(const std::vector<Vec3> &axes,
-                                 std::size_t most_axes = most_axes_paired);
+                                 std::size_t most_axes = kMostAxesPaired);
 
 // Q = <3/2 u u - 1/2 I>: symmetric, without trace.
 struct NematicTensor {
@@ -81,8 +81,8 @@ AzimuthalOrder azimuthal_order(const std::vector<Vec3> &axes);
 MeanWithError radial_order(const std::vector<Rod> &rods, double axis_x, double axis_y);
 
 enum class BinSpacing {
-  equal_solid_angle,  // equal steps of sin(elevation): an isotropic set fills all bins alike
-  equal_angle,
+  EqualSolidAngle,  // equal steps of sin(elevation): an isotropic set fills all bins alike
+  EqualAngle,
 };
 
 struct ElevationBin {

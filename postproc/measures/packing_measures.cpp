@@ -12,8 +12,8 @@ namespace spherocylinder {
 
 BedHeight bed_height(const std::vector<Rod> &rods)
 {
-  constexpr double lowest = -std::numeric_limits<double>::infinity();
-  BedHeight height{lowest, lowest};
+  constexpr double kLowest = -std::numeric_limits<double>::infinity();
+  BedHeight height{kLowest, kLowest};
   for (const Rod &rod : rods) {
     const Segment &segment = rod.capsule.segment;
     const double tip = segment.half_length * std::abs(segment.axis.z) + rod.capsule.radius;
@@ -57,26 +57,26 @@ template <class Region>
 BoundedVolume solid_of_rods(const std::vector<Rod> &rods, const Region &region, double tolerance)
 {
   // The few rods that are cut may each be off by more than the tolerance if the sum is not.
-  constexpr double loosest = 0.05;
+  constexpr double kLoosest = 0.05;
   double inside = 0.0, cut = 0.0;
   for (const Rod &rod : rods) {
     if (misses(region, rod.capsule)) continue;
     (holds(region, rod.capsule) ? inside : cut) += volume(rod.capsule);
   }
   const double for_cut =
-      cut > 0.0 ? std::clamp(tolerance * inside / cut, tolerance, std::max(tolerance, loosest))
+      cut > 0.0 ? std::clamp(tolerance * inside / cut, tolerance, std::max(tolerance, kLoosest))
                 : tolerance;
 
-  constexpr std::size_t rods_a_piece = 1024;
-  std::vector<BoundedVolume> parts((rods.size() + rods_a_piece - 1) / rods_a_piece);
-  for_each_piece(rods.size(), rods_a_piece, [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t kRodsAPiece = 1024;
+  std::vector<BoundedVolume> parts((rods.size() + kRodsAPiece - 1) / kRodsAPiece);
+  for_each_piece(rods.size(), kRodsAPiece, [&](std::size_t begin, std::size_t end) {
     BoundedVolume sum{0.0, 0.0};
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin; i < end; i++) {
       const BoundedVolume part = clipped_volume(rods[i].capsule, region, for_cut);
       sum.value += part.value;
       sum.error += part.error;
     }
-    parts[begin / rods_a_piece] = sum;
+    parts[begin / kRodsAPiece] = sum;
   });
   BoundedVolume solid{0.0, 0.0};
   for (const BoundedVolume &part : parts) {

@@ -12,8 +12,8 @@ namespace {
 // Of rods that are as long as this or, by the rounding of a dump, a little shorter.
 bool is_at_least(double aspect_ratio, double from)
 {
-  constexpr double rounding = 1e-4;
-  return aspect_ratio >= (1.0 - rounding) * from;
+  constexpr double kRounding = 1e-4;
+  return aspect_ratio >= (1.0 - kRounding) * from;
 }
 
 }  // namespace
@@ -26,13 +26,13 @@ double densest_fraction(double aspect_ratio)
 
 double parkhouse_kelly_fraction(double aspect_ratio)
 {
-  if (!is_at_least(aspect_ratio, parkhouse_kelly_from)) return none;
+  if (!is_at_least(aspect_ratio, kParkhouseKellyFrom)) return none;
   return 2.0 * std::log(aspect_ratio) / aspect_ratio;
 }
 
 double random_contact_fraction(double aspect_ratio, double mean_sin_gamma, double half_contacts)
 {
-  if (!is_at_least(aspect_ratio, random_contacts_from)) return none;
+  if (!is_at_least(aspect_ratio, kRandomContactsFrom)) return none;
   const double x = aspect_ratio - 1.0;
   const double rod = x / 4.0 + 1.0 / 6.0;
   const double excluded = (2.0 * mean_sin_gamma / pi) * x * x + 2.0 * x + 4.0 / 3.0;

@@ -64,7 +64,7 @@ class Cube {
   Cube(double side, double diameter)
       : side_(side),
         diameter_(diameter),
-        cells_(std::clamp(static_cast<int>(side / (2.0 * diameter)), 3, most_cells)),
+        cells_(std::clamp(static_cast<int>(side / (2.0 * diameter)), 3, kMostCells)),
         points_(static_cast<std::size_t>(cells_) * cells_ * cells_)
   {
   }
@@ -77,9 +77,9 @@ class Cube {
       const double along = last == 0 ? 0.0 : rod.half_length * (2.0 * k / last - 1.0);
       return rod.at(along);
     };
-    for (int k = 0; k <= last; ++k)
+    for (int k = 0; k <= last; k++)
       if (touches(rod, point(k))) return false;
-    for (int k = 0; k <= last; ++k) {
+    for (int k = 0; k <= last; k++) {
       const Vec3 p = point(k);
       points_[cell(index(p.x), index(p.y), index(p.z))].push_back({rods.size(), p});
     }
@@ -94,7 +94,7 @@ class Cube {
     std::size_t rod;
     Vec3 position;
   };
-  static constexpr int most_cells = 300;  // a direction, of which a thin gas needs no more
+  static constexpr int kMostCells = 300;  // a direction, of which a thin gas needs no more
   double side_, diameter_;
   int cells_;
   std::vector<std::vector<Point>> points_;
@@ -112,9 +112,9 @@ class Cube {
   bool touches(const Segment &rod, const Vec3 &p) const
   {
     const int i = index(p.x), j = index(p.y), k = index(p.z);
-    for (int a = i - 1; a <= i + 1; ++a)
-      for (int b = j - 1; b <= j + 1; ++b)
-        for (int c = k - 1; c <= k + 1; ++c)
+    for (int a = i - 1; a <= i + 1; a++)
+      for (int b = j - 1; b <= j + 1; b++)
+        for (int c = k - 1; c <= k + 1; c++)
           for (const Point &near : points_[cell(a, b, c)]) {
             const Vec3 d = p - near.position;
             Segment other = rods[near.rod];
@@ -143,10 +143,10 @@ RodGas rod_gas(const RodGasOptions &o)
   // equilibrium, and soon there is no room for them: 18.58 is the alignment of the nematic phase
   // where it begins (Onsager 1949, Ann. N. Y. Acad. Sci. 51, 627).
   const double alignment = o.lambda * o.solid > 3.34 ? 18.58 : 0.0;
-  constexpr long most_trials = 100'000'000;
+  constexpr long kMostTrials = 100'000'000;
   Cube cube(gas.side, o.diameter);
-  for (long trial = 0; cube.rods.size() < o.rods; ++trial) {
-    if (trial == most_trials)
+  for (long trial = 0; cube.rods.size() < o.rods; trial++) {
+    if (trial == kMostTrials)
       throw InputError(
           fmt::format("there is no room for more than {} of {} rods, wanted a lower "
                       "solid fraction than {}",
@@ -155,9 +155,9 @@ RodGas rod_gas(const RodGasOptions &o)
     cube.add({place, random.direction(alignment), 0.5 * (length - o.diameter)});
   }
 
-  for (int a = 0; a < o.copies[0]; ++a)
-    for (int b = 0; b < o.copies[1]; ++b)
-      for (int c = 0; c < o.copies[2]; ++c)
+  for (int a = 0; a < o.copies[0]; a++)
+    for (int b = 0; b < o.copies[1]; b++)
+      for (int c = 0; c < o.copies[2]; c++)
         for (Segment rod : cube.rods) {
           rod.centre = rod.centre + gas.side * Vec3{double(a), double(b), double(c)};
           if (o.floor) rod.centre.z += 0.5 * length;
@@ -172,7 +172,7 @@ RodGas rod_gas(const RodGasOptions &o)
     rod.omega = omega - dot(omega, u) * u;
     rod.velocity = o.speed * random.normal_vector();
   }
-  for (int d = 0; d < 3; ++d)
+  for (int d = 0; d < 3; d++)
     gas.box[d] = o.copies[d] * gas.side + (d == 2 && o.floor ? length : 0.0);
   return gas;
 }
@@ -184,7 +184,7 @@ std::string gas_data_file(const RodGasOptions &o, const RodGas &gas)
   fmt::format_to(
       out, "Rods of aspect ratio {} at random, {} of the volume\n\n{} atoms\n1 atom types\n\n",
       o.lambda, o.solid, gas.rods.size());
-  for (int d = 0; d < 3; ++d)
+  for (int d = 0; d < 3; d++)
     fmt::format_to(out, "0 {:.17g} {}lo {}hi\n", gas.box[d], "xyz"[d], "xyz"[d]);
   const auto put = [&](const Vec3 &a) {
     fmt::format_to(out, " {:.17g} {:.17g} {:.17g}", a.x, a.y, a.z);

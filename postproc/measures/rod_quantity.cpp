@@ -24,10 +24,10 @@ bool stands_for(const std::string &column, const std::string &name)
 
 std::vector<double> column_values(const DumpFrame &frame, const std::string &name)
 {
-  for (std::size_t column = 0; column < frame.columns.size(); ++column) {
+  for (std::size_t column = 0; column < frame.columns.size(); column++) {
     if (!stands_for(frame.columns[column], name)) continue;
     std::vector<double> values(frame.rows);
-    for (std::size_t row = 0; row < frame.rows; ++row) values[row] = frame.value(row, column);
+    for (std::size_t row = 0; row < frame.rows; row++) values[row] = frame.value(row, column);
     return values;
   }
   throw InputError(fmt::format("{}:{}: column '{}' is missing; there are {}", frame.path,
@@ -48,7 +48,7 @@ std::vector<double> magnitudes(const DumpFrame &frame, const char *x, const char
   const auto i = frame.find_column(x), j = frame.find_column(y), k = frame.find_column(z);
   if (!i || !j || !k) return {};
   std::vector<double> values(frame.rows);
-  for (std::size_t row = 0; row < frame.rows; ++row)
+  for (std::size_t row = 0; row < frame.rows; row++)
     values[row] = norm({frame.value(row, *i), frame.value(row, *j), frame.value(row, *k)});
   return values;
 }
@@ -83,11 +83,11 @@ RodQuantity rod_quantity(const DumpFrame &frame, const std::vector<Rod> &rods,
 
 void set_range_of_most(RodQuantity &quantity)
 {
-  constexpr std::size_t left_out = 10;  // one of so many at either end
+  constexpr std::size_t kLeftOut = 10;  // one of so many at either end
   if (quantity.values.empty()) return;
   std::vector<double> sorted = quantity.values;
   std::sort(sorted.begin(), sorted.end());
-  const std::size_t beyond = sorted.size() / left_out;
+  const std::size_t beyond = sorted.size() / kLeftOut;
   quantity.low = sorted[beyond];
   quantity.high = sorted[sorted.size() - 1 - beyond];
 }

@@ -17,24 +17,24 @@
 namespace spherocylinder {
 namespace {
 
-constexpr double golden_angle = 2.39996322972865332;
-constexpr std::size_t rods_a_piece = 2048;
-constexpr double most_bins = 100000.0;
+constexpr double kGoldenAngle = 2.39996322972865332;
+constexpr std::size_t kRodsAPiece = 2048;
+constexpr double kMostBins = 100000.0;
 
 // Sum over rods of a list of numbers, piece by piece, so that it does not depend on the threads.
 template <class Add>
 std::vector<double> sum_over_rods(std::size_t rods, std::size_t numbers, Add add)
 {
-  const std::size_t pieces = (rods + rods_a_piece - 1) / rods_a_piece;
+  const std::size_t pieces = (rods + kRodsAPiece - 1) / kRodsAPiece;
   std::vector<std::vector<double>> parts(pieces);
-  for_each_piece(rods, rods_a_piece, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> &sums = parts[begin / rods_a_piece];
+  for_each_piece(rods, kRodsAPiece, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> &sums = parts[begin / kRodsAPiece];
     sums.assign(numbers, 0.0);
-    for (std::size_t i = begin; i < end; ++i) add(i, sums);
+    for (std::size_t i = begin; i < end; i++) add(i, sums);
   });
   std::vector<double> sums(numbers, 0.0);
   for (const auto &part : parts)
-    for (std::size_t k = 0; k < numbers; ++k) sums[k] += part[k];
+    for (std::size_t k = 0; k < numbers; k++) sums[k] += part[k];
   return sums;
 }
 
@@ -43,12 +43,12 @@ std::vector<double> sum_over_rods(std::size_t rods, std::size_t numbers, Add add
 struct GaussLegendre {
   explicit GaussLegendre(int n)
   {
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < n; i++) {
       double x = std::cos(pi * (i + 0.75) / (n + 0.5));
       double slope = 1.0;
-      for (int step = 0; step < 20; ++step) {
+      for (int step = 0; step < 20; step++) {
         double before = 1.0, value = x;
-        for (int k = 2; k <= n; ++k) {
+        for (int k = 2; k <= n; k++) {
           const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
           before = value;
           value = next;
@@ -77,10 +77,10 @@ std::vector<Chord> chord_rule(int level)
   const GaussLegendre rule(static_cast<int>(std::round(2.0 * growth)));
   const int around = static_cast<int>(std::round(3.0 * growth));
   std::vector<Chord> chords;
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+  for (std::size_t i = 0; i < rule.nodes.size(); i++) {
     const double v = rule.nodes[i];
     const double rho = std::sqrt(1.0 - v * v);
-    for (int k = 0; k < around; ++k) {
+    for (int k = 0; k < around; k++) {
       const double angle = 2.0 * pi * k / around;
       chords.push_back({rho * std::cos(angle), rho * std::sin(angle), v,
                         rule.weights[i] * v * 2.0 * pi / around});
@@ -120,7 +120,7 @@ SPHEROCYLINDER_VECTOR void add_chord(const PlacedChord &c, const double *radius_
 {
   const auto smaller = [](double p, double q) { return p < q ? p : q; };
   const auto larger = [](double p, double q) { return p > q ? p : q; };
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < count; k++) {
     const double root = std::sqrt(larger(c.off_axis + c.a * radius_squared[k], 0.0));
     const double to_floor = (z_low[k] - c.z) * c.over_z, to_top = (z_high[k] - c.z) * c.over_z;
     const double low =
@@ -150,8 +150,8 @@ class ChordedRod {
     if (first == last) return;
     const double r = rod_.radius;
     const double a = u_.x * u_.x + u_.y * u_.y;
-    constexpr double level = 1e200;  // a level rod's chord is far from any plane it is not in
-    const double over_a = 1.0 / a, over_z = u_.z == 0.0 ? level : 1.0 / u_.z;
+    constexpr double kLevel = 1e200;  // a level rod's chord is far from any plane it is not in
+    const double over_a = 1.0 / a, over_z = u_.z == 0.0 ? kLevel : 1.0 / u_.z;
     const Vec3 centre = rod_.segment.centre - Vec3{cylinders.x, cylinders.y, 0.0};
     for (const Chord &chord : rule) {
       const Vec3 p = centre + (r * chord.across) * across_ + (r * chord.aside) * aside_;
@@ -173,10 +173,10 @@ class ChordedRod {
 // nor of a cylinder that is no wider than the rod.
 bool needs_sections(const UprightCylinder &c, const Capsule &rod)
 {
-  constexpr double upright_extent = 0.25;
+  constexpr double kUprightExtent = 0.25;
   const Vec3 &u = rod.segment.axis;
   return c.radius < 2.0 * rod.radius ||
-         rod.segment.half_length * std::hypot(u.x, u.y) < upright_extent * rod.radius;
+         rod.segment.half_length * std::hypot(u.x, u.y) < kUprightExtent * rod.radius;
 }
 
 // Solid within each of these cylinders by the finer of two rules. The error: each rod is turned by
@@ -201,7 +201,7 @@ std::vector<BoundedVolume> sums_by_rules(const std::vector<Rod> &rods,
         std::partition_point(meets, end, [&](const auto &c) { return !holds(c, rod); });
     const auto by_chords =
         std::partition_point(meets, inside, [&](const auto &c) { return needs_sections(c, rod); });
-    for (auto c = meets; c != by_chords; ++c) {
+    for (auto c = meets; c != by_chords; c++) {
       const BoundedVolume found = clipped_volume(rod, *c, tolerance);
       solid[c - begin] += found.value;
       bounds[c - begin] += found.error;
@@ -210,20 +210,20 @@ std::vector<BoundedVolume> sums_by_rules(const std::vector<Rod> &rods,
     static thread_local std::vector<double> by_coarse, by_fine;
     by_coarse.assign(count, 0.0);
     by_fine.assign(count, 0.0);
-    const ChordedRod chorded(rod, golden_angle * static_cast<double>(i));
+    const ChordedRod chorded(rod, kGoldenAngle * static_cast<double>(i));
     chorded.add(coarse, nested, first, last, by_coarse.data());
     chorded.add(fine, nested, first, last, by_fine.data());
-    for (std::size_t k = first; k < last; ++k) {
+    for (std::size_t k = first; k < last; k++) {
       const double d = by_fine[k] - by_coarse[k];
       solid[k] += by_fine[k];
       difference[k] += d;
       squares[k] += d * d;
     }
     const double whole = volume(rod);
-    for (std::size_t k = last; k < count; ++k) solid[k] += whole;
+    for (std::size_t k = last; k < count; k++) solid[k] += whole;
   });
   std::vector<BoundedVolume> found(count);
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < count; k++)
     found[k] = {sums[k], std::max(std::abs(sums[count + k]), 2.0 * std::sqrt(sums[2 * count + k])) +
                              sums[3 * count + k]};
   return found;
@@ -237,7 +237,7 @@ std::vector<ProfileBin> shells(const std::vector<Rod> &rods,
   std::vector<ProfileBin> bins;
   BoundedVolume inner{0.0, 0.0};
   double inner_region = 0.0;
-  for (std::size_t k = 0; k < cylinders.size(); ++k) {
+  for (std::size_t k = 0; k < cylinders.size(); k++) {
     const double region = volume(cylinders[k]);
     bins.push_back({0.0, 0.0, region - inner_region, within[k].value - inner.value,
                     within[k].error + inner.error});
@@ -249,7 +249,7 @@ std::vector<ProfileBin> shells(const std::vector<Rod> &rods,
 
 void set_edges(std::vector<ProfileBin> &bins, const std::vector<double> &edges)
 {
-  for (std::size_t k = 0; k < bins.size(); ++k) {
+  for (std::size_t k = 0; k < bins.size(); k++) {
     bins[k].low = edges[k];
     bins[k].high = edges[k + 1];
   }
@@ -267,12 +267,12 @@ std::vector<double> volumes_below(const std::vector<Rod> &rods, const std::vecto
     const double z = rod.segment.centre.z;
     const auto first = std::upper_bound(heights.begin(), heights.end(), z - up);
     std::size_t k = first - heights.begin();
-    for (; k < count && heights[k] < z + up; ++k) part[k] += volume_below(rod, heights[k]);
+    for (; k < count && heights[k] < z + up; k++) part[k] += volume_below(rod, heights[k]);
     if (k < count) part[count + k] += volume(rod);
   });
   std::vector<double> volumes(count);
   double whole = 0.0;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < count; k++) {
     whole += sums[count + k];
     volumes[k] = whole + sums[k];
   }
@@ -283,15 +283,15 @@ std::vector<BoundedVolume> volumes_within(const std::vector<Rod> &rods,
                                           const std::vector<UprightCylinder> &cylinders,
                                           double tolerance)
 {
-  constexpr int last_level = 8;
+  constexpr int kLastLevel = 8;
   std::vector<BoundedVolume> found(cylinders.size());
   std::vector<std::size_t> open(cylinders.size());
-  for (std::size_t k = 0; k < open.size(); ++k) open[k] = k;
-  for (int level = 1; level <= last_level && !open.empty(); ++level) {
+  for (std::size_t k = 0; k < open.size(); k++) open[k] = k;
+  for (int level = 1; level <= kLastLevel && !open.empty(); level++) {
     std::vector<UprightCylinder> asked;
     for (const std::size_t k : open) asked.push_back(cylinders[k]);
     const auto sums = sums_by_rules(rods, asked, level, 0.1 * tolerance);
-    for (std::size_t i = 0; i < open.size(); ++i) found[open[i]] = sums[i];
+    for (std::size_t i = 0; i < open.size(); i++) found[open[i]] = sums[i];
     const auto close_enough = [&](std::size_t k) {
       const double inner = k == 0 ? 0.0 : found[k - 1].value;
       double least = found[k].value - inner;
@@ -305,13 +305,13 @@ std::vector<BoundedVolume> volumes_within(const std::vector<Rod> &rods,
 
 std::vector<double> bin_edges(double low, double high, double width)
 {
-  constexpr double crumb = 1e-6;
-  if (!((high - low) / width < most_bins))
+  constexpr double kCrumb = 1e-6;
+  if (!((high - low) / width < kMostBins))
     throw InputError(fmt::format("--bin: {:.6g} m makes more than {:.0f} bins between {:.6g} and "
                                  "{:.6g} m, wanted wider ones",
-                                 width, most_bins, low, high));
+                                 width, kMostBins, low, high));
   std::vector<double> edges;
-  for (std::size_t k = 0; low + k * width < high - crumb * width; ++k)
+  for (std::size_t k = 0; low + k * width < high - kCrumb * width; k++)
     edges.push_back(low + static_cast<double>(k) * width);
   edges.push_back(high);
   return edges;
@@ -324,7 +324,7 @@ std::vector<ProfileBin> height_profile(const std::vector<Rod> &rods, double sect
   for (double &height : heights) height += floor;
   const std::vector<double> below = volumes_below(rods, heights);
   std::vector<ProfileBin> bins;
-  for (std::size_t k = 1; k < edges.size(); ++k)
+  for (std::size_t k = 1; k < edges.size(); k++)
     bins.push_back({edges[k - 1], edges[k], section * (edges[k] - edges[k - 1]),
                     below[k] - below[k - 1], 0.0});
   return bins;
@@ -334,7 +334,7 @@ std::vector<ProfileBin> radius_profile(const std::vector<Rod> &rods, const Uprig
                                        const std::vector<double> &edges, double tolerance)
 {
   std::vector<UprightCylinder> cylinders;
-  for (std::size_t k = 1; k < edges.size(); ++k)
+  for (std::size_t k = 1; k < edges.size(); k++)
     cylinders.push_back({vessel.x, vessel.y, edges[k], vessel.z_low, vessel.z_high});
   std::vector<ProfileBin> bins = shells(rods, cylinders, tolerance);
   set_edges(bins, edges);

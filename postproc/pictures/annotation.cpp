@@ -36,10 +36,10 @@ RoundRange round_range(double low, double high)
   }
   if (low == 0.0 && high == 90.0) return {low, high, 7};  // an angle is better cut into fifteens
   // The part of a step that round-off may add is not worth another step.
-  constexpr double round_off = 1e-9;
+  constexpr double kRoundOff = 1e-9;
   const double step = round_length((high - low) / 4.0);
-  const double first = std::floor(low / step + round_off);
-  const double last = std::ceil(high / step - round_off);
+  const double first = std::floor(low / step + kRoundOff);
+  const double last = std::ceil(high / step - kRoundOff);
   return {first * step, last * step, static_cast<int>(last - first) + 1};
 }
 
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkTextActor> text(const std::string &words, double x, double y,
   actor->SetInput(words.c_str());
   set_font(actor->GetTextProperty(), ink.font_size);
   actor->GetTextProperty()->SetColor(ink.red, ink.green, ink.blue);
-  if (height == TextAt::middle) actor->GetTextProperty()->SetVerticalJustificationToCentered();
+  if (height == TextAt::Middle) actor->GetTextProperty()->SetVerticalJustificationToCentered();
   actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   actor->SetPosition(x, y);
   return actor;

@@ -35,10 +35,10 @@ struct Ink {
 Ink ink_for(const double background[3], int font_size);
 
 // Positions are parts of the picture's width and height, from the lower left.
-enum class TextAt { foot, middle };  // what of a text's height y means
+enum class TextAt { Foot, Middle };  // what of a text's height y means
 
 vtkSmartPointer<vtkTextActor> text(const std::string &words, double x, double y, const Ink &ink,
-                                   TextAt height = TextAt::foot);
+                                   TextAt height = TextAt::Foot);
 vtkSmartPointer<vtkActor2D> bar(double x, double y, double width, double thickness, const Ink &ink);
 vtkSmartPointer<vtkActor2D> colour_bar(vtkLookupTable *colours, double x, double y, double width,
                                        double height);

@@ -33,7 +33,7 @@ namespace {
 
 // The picture is drawn this many times larger each way, steps along edges are blurred (FXAA), and
 // it is averaged down: ambient occlusion does not go with the driver's own smoothing.
-constexpr int oversampling = 2;
+constexpr int kOversampling = 2;
 
 Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options)
 {
@@ -47,7 +47,7 @@ Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options)
   for (const double z : {vessel.z_low, vessel.z_high}) {
     const auto ring = vessel_ring(vessel, z);
     turn_to_space(ring, options.vessel->axis);
-    for (vtkIdType i = 0; i < ring->GetNumberOfPoints(); ++i)
+    for (vtkIdType i = 0; i < ring->GetNumberOfPoints(); i++)
       extent.include(load(ring->GetPoint(i)));
   }
   return extent;
@@ -70,7 +70,7 @@ void add_rods(vtkRenderer *renderer, const std::vector<Rod> &rods, const RodQuan
   const RodGeometry geometry = rod_surfaces(rods, resolution);
   vtkNew<vtkFloatArray> numbers;
   numbers->SetNumberOfValues(static_cast<vtkIdType>(geometry.rod_of_point.size()));
-  for (std::size_t i = 0; i < geometry.rod_of_point.size(); ++i)
+  for (std::size_t i = 0; i < geometry.rod_of_point.size(); i++)
     numbers->SetValue(static_cast<vtkIdType>(i),
                       static_cast<float>(colour.values[geometry.rod_of_point[i]]));
   geometry.mesh->GetPointData()->SetScalars(numbers);
@@ -89,7 +89,7 @@ void add_rods(vtkRenderer *renderer, const std::vector<Rod> &rods, const RodQuan
 // As thick as the strokes of small letters, at least a pixel and a little more.
 void add_line(vtkRenderer *renderer, vtkPolyData *line, const Ink &ink)
 {
-  const double width = std::max(1.2 * oversampling, ink.font_size / 16.0);
+  const double width = std::max(1.2 * kOversampling, ink.font_size / 16.0);
   const auto actor = add_surface(renderer, line);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetColor(ink.red, ink.green, ink.blue);
@@ -199,7 +199,7 @@ PictureWords words_of(const PictureOptions &options, const RodQuantity &colour,
                       const RoundRange &range)
 {
   PictureWords words{options.caption, broken_into_lines(colour.title), {}, false, false};
-  for (int i = 0; options.colour_bar && i < range.labels; ++i)
+  for (int i = 0; options.colour_bar && i < range.labels; i++)
     words.labels.push_back(fmt::format(
         "{:.3g}", range.low + i * (range.high - range.low) / (range.labels - 1)));
   const double crumb = 1e-9 * (range.high - range.low);
@@ -221,16 +221,16 @@ void add_annotation(vtkRenderer *renderer, const PictureOptions &options,
   const double length = round_length(0.25 * picture_width);
   renderer->AddActor2D(bar(at.left / width, at.scale_y / height, length / picture_width,
                            at.scale_thickness / height, ink));
-  add_text(length_label(length), at.left, at.scale_label_y, TextAt::foot);
-  add_text(words.caption, at.left, at.caption_y, TextAt::foot);
+  add_text(length_label(length), at.left, at.scale_label_y, TextAt::Foot);
+  add_text(words.caption, at.left, at.caption_y, TextAt::Foot);
   if (words.labels.empty()) return;
   renderer->AddActor2D(colour_bar(colours, at.bar_left / width, at.bar_bottom / height,
                                   at.bar_width / width, at.bar_height / height));
-  add_text(words.title, at.bar_left, at.title_y, TextAt::foot);
+  add_text(words.title, at.bar_left, at.title_y, TextAt::Foot);
   const double step = at.bar_height / static_cast<double>(words.labels.size() - 1);
-  for (std::size_t i = 0; i < words.labels.size(); ++i)
+  for (std::size_t i = 0; i < words.labels.size(); i++)
     add_text(words.label(i), at.bar_left + at.bar_width + at.label_gap,
-             at.bar_bottom + static_cast<double>(i) * step, TextAt::middle);
+             at.bar_bottom + static_cast<double>(i) * step, TextAt::Middle);
 }
 
 }  // namespace
@@ -238,7 +238,7 @@ void add_annotation(vtkRenderer *renderer, const PictureOptions &options,
 std::array<Vec3, 8> corners_of(const Box &box)
 {
   std::array<Vec3, 8> corners;
-  for (int i = 0; i < 8; ++i) corners[i] = {box[0][i & 1], box[1][(i >> 1) & 1], box[2][i >> 2]};
+  for (int i = 0; i < 8; i++) corners[i] = {box[0][i & 1], box[1][(i >> 1) & 1], box[2][i >> 2]};
   return corners;
 }
 
@@ -250,7 +250,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   const PictureLayout layout = lay_out(options.width, options.height, options.font_size, words);
   const ViewFrame frame = frame_of(options.view);
   const Extent extent = extent_of(rods, options);
-  const Ink ink = ink_for(options.background, oversampling * layout.font_size);
+  const Ink ink = ink_for(options.background, kOversampling * layout.font_size);
   const auto colours = viridis(range.low, range.high);
 
   const DrawingErrors errors;
@@ -273,12 +273,12 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   renderer->UseFXAAOn();  // before letters and bars are drawn
-  window->SetSize(oversampling * options.width, oversampling * options.height);
+  window->SetSize(kOversampling * options.width, kOversampling * options.height);
   window->AddRenderer(renderer);
   const double picture_width = aim_camera(renderer, frame, extent, layout, options);
   add_annotation(renderer, options, layout, words, colours, picture_width, ink);
   window->Render();
-  write_png(window, path, oversampling);
+  write_png(window, path, kOversampling);
   errors.expect_none(
       fmt::format("the picture of {}x{} pixels cannot be drawn", options.width, options.height));
 }

@@ -24,7 +24,7 @@ struct DrawnVessel {
 
 struct PictureOptions {
   int width = 1200, height = 900;  // pixels
-  View view = View::oblique;
+  View view = View::Oblique;
   double background[3] = {1.0, 1.0, 1.0};
   std::optional<DrawnVessel> vessel;
   std::optional<Box> box;      // its edges are drawn

@@ -15,7 +15,7 @@
 namespace spherocylinder {
 namespace {
 
-constexpr const char *restarted = "SPHEROCYLINDER_RESTARTED_UNDER_XVFB";
+constexpr const char *kRestarted = "SPHEROCYLINDER_RESTARTED_UNDER_XVFB";
 
 bool display_answers()
 {
@@ -42,9 +42,9 @@ void need_display(char **argv)
     if (!is_on_path(program))
       throw InputError(std::string("no X display can be reached and the program ") + program +
                        " is not installed, wanted either (Debian packages xvfb and xauth)");
-  if (std::getenv(restarted) != nullptr)
+  if (std::getenv(kRestarted) != nullptr)
     throw InputError("no X display can be reached, not even under xvfb-run");
-  setenv(restarted, "1", 1);
+  setenv(kRestarted, "1", 1);
 
   // -noreset: without it Xvfb starts afresh whenever its last window closes, and a second window
   // may find it gone.
@@ -54,7 +54,7 @@ void need_display(char **argv)
   std::vector<char *> arguments;
   std::string words[] = {"xvfb-run", "-a", "-s", server, self};
   for (std::string &word : words) arguments.push_back(word.data());
-  for (char **argument = argv + 1; *argument != nullptr; ++argument) arguments.push_back(*argument);
+  for (char **argument = argv + 1; *argument != nullptr; argument++) arguments.push_back(*argument);
   arguments.push_back(nullptr);
   execvp("xvfb-run", arguments.data());
   throw InputError("no X display can be reached and xvfb-run could not be started");

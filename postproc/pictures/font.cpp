@@ -33,11 +33,11 @@ void set_font(vtkTextProperty *style, int size)
 
 TextSize size_of_text(const std::string &words, int font_size)
 {
-  constexpr int points_an_inch = 72;  // so that points are pixels, as in VTK's windows
+  constexpr int kPointsAnInch = 72;  // so that points are pixels, as in VTK's windows
   vtkNew<vtkTextProperty> style;
   set_font(style, font_size);
   int box[4] = {0, -1, 0, -1};  // of its pixels, first and last
-  vtkTextRenderer::GetInstance()->GetBoundingBox(style, vtkStdString(words), box, points_an_inch);
+  vtkTextRenderer::GetInstance()->GetBoundingBox(style, vtkStdString(words), box, kPointsAnInch);
   return {box[1] - box[0] + 1, box[3] - box[2] + 1};
 }
 

@@ -48,7 +48,7 @@ void OvitoFile::add(const DumpFrame &frame, const std::vector<Rod> &rods, double
                  rods.size(), box[0][1] - box[0][0], box[1][1] - box[1][0], box[2][1] - box[2][0],
                  box[0][0], box[1][0], box[2][0], periodic(0), periodic(1), periodic(2), time,
                  frame.step, properties);
-  for (std::size_t row = 0; row < rods.size(); ++row) {
+  for (std::size_t row = 0; row < rods.size(); row++) {
     const Rod &rod = rods[row];
     const Segment &segment = rod.capsule.segment;
     // A rod has no head: its axis is read upwards.

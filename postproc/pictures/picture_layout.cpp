@@ -14,15 +14,15 @@ namespace {
 
 // Parts of the width and of the height that rods and vessel have at least: if letters of this
 // size are asked for, and if the size is left to us.
-constexpr double least_room = 0.5;
-constexpr double good_room = 0.7;
+constexpr double kLeastRoom = 0.5;
+constexpr double kGoodRoom = 0.7;
 
-constexpr int smallest_font = 6;
-constexpr int usual_smallest_font = 10;  // if there is room
+constexpr int kSmallestFont = 6;
+constexpr int kUsualSmallestFont = 10;  // if there is room
 
-const std::string below_sign = "≤ ", above_sign = "≥ ";  // of the same width
+const std::string kBelowSign = "≤ ", kAboveSign = "≥ ";  // of the same width
 
-constexpr std::size_t usual_caption = 44;  // digits
+constexpr std::size_t kUsualCaption = 44;  // digits
 
 // All lengths grow with the letters.
 PictureLayout with_letters(int width, int height, int font_size, const PictureWords &words)
@@ -43,7 +43,7 @@ PictureLayout with_letters(int width, int height, int font_size, const PictureWo
   const TextSize title = size_of_text(words.title, font_size);
   for (const std::string &label : words.labels)
     at.labels_width =
-        std::max<double>(at.labels_width, size_of_text(above_sign + label, font_size).width);
+        std::max<double>(at.labels_width, size_of_text(kAboveSign + label, font_size).width);
   at.bar_width = 1.2 * letter;
   at.label_gap = 0.4 * letter;
   const double column =
@@ -62,7 +62,7 @@ bool has_room(const PictureLayout &at, int width, int height, const PictureWords
               double part)
 {
   const int caption = std::max(size_of_text(words.caption, at.font_size).width,
-                               size_of_text(std::string(usual_caption, '0'), at.font_size).width);
+                               size_of_text(std::string(kUsualCaption, '0'), at.font_size).width);
   const double labels = 1.3 * at.font_size * static_cast<double>(words.labels.size());
   return at.right - at.left >= part * width && at.top - at.bottom >= part * height &&
          at.left + caption <= width - at.left && at.bar_height >= labels;
@@ -71,7 +71,7 @@ bool has_room(const PictureLayout &at, int width, int height, const PictureWords
 // The largest letters up to `most` that leave this part of the picture to the rods; 0 if none do.
 int largest_font(int most, int width, int height, const PictureWords &words, double part)
 {
-  for (int size = most; size >= smallest_font; --size)
+  for (int size = most; size >= kSmallestFont; size--)
     if (has_room(with_letters(width, height, size, words), width, height, words, part)) return size;
   return 0;
 }
@@ -80,18 +80,18 @@ int largest_font(int most, int width, int height, const PictureWords &words, dou
 
 std::string PictureWords::label(std::size_t i) const
 {
-  if (below && i == 0) return below_sign + labels[i];
-  return above && i + 1 == labels.size() ? above_sign + labels[i] : labels[i];
+  if (below && i == 0) return kBelowSign + labels[i];
+  return above && i + 1 == labels.size() ? kAboveSign + labels[i] : labels[i];
 }
 
 std::string broken_into_lines(const std::string &text)
 {
-  constexpr std::size_t longest = 10;
+  constexpr std::size_t kLongest = 10;
   std::istringstream words(text);
   std::string lines;
   std::size_t length = 0;
   for (std::string word; words >> word;) {
-    const bool fits = !lines.empty() && length + 1 + word.size() <= longest;
+    const bool fits = !lines.empty() && length + 1 + word.size() <= kLongest;
     if (!lines.empty()) lines += fits ? ' ' : '\n';
     lines += word;
     length = fits ? length + 1 + word.size() : word.size();
@@ -101,13 +101,13 @@ std::string broken_into_lines(const std::string &text)
 
 PictureLayout lay_out(int width, int height, int font_size, const PictureWords &words)
 {
-  const int most = font_size > 0 ? font_size : std::max(height / 45, usual_smallest_font);
-  int size = font_size > 0 ? 0 : largest_font(most, width, height, words, good_room);
-  if (size == 0) size = largest_font(most, width, height, words, least_room);
+  const int most = font_size > 0 ? font_size : std::max(height / 45, kUsualSmallestFont);
+  int size = font_size > 0 ? 0 : largest_font(most, width, height, words, kGoodRoom);
+  if (size == 0) size = largest_font(most, width, height, words, kLeastRoom);
   if (size == 0)
     throw InputError(fmt::format("--size: letters {} pixels high leave no room for the rods in a "
                                  "picture of {}x{}, wanted a larger one",
-                                 smallest_font, width, height));
+                                 kSmallestFont, width, height));
   if (font_size > 0 && size != font_size)
     throw InputError(fmt::format("--font-size: must be at most {} in a picture of {}x{} with these "
                                  "words, so that there is room for the rods (got {})",

@@ -26,7 +26,7 @@ void add_numbers(vtkFieldData *data, const std::vector<vtkIdType> &rod_of, const
   vtkNew<Array> array;
   array->SetName(name.c_str());
   array->SetNumberOfValues(static_cast<vtkIdType>(rod_of.size()));
-  for (std::size_t i = 0; i < rod_of.size(); ++i)
+  for (std::size_t i = 0; i < rod_of.size(); i++)
     array->SetValue(static_cast<vtkIdType>(i),
                     static_cast<typename Array::ValueType>(value(rod_of[i])));
   data->AddArray(array);
@@ -39,7 +39,7 @@ void add_axes(vtkFieldData *data, const std::vector<vtkIdType> &rod_of,
   array->SetName("axis");
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(rod_of.size()));
-  for (std::size_t i = 0; i < rod_of.size(); ++i) {
+  for (std::size_t i = 0; i < rod_of.size(); i++) {
     const Vec3 &u = rods[rod_of[i]].capsule.segment.axis;
     array->SetTuple3(static_cast<vtkIdType>(i), u.x, u.y, u.z);
   }
@@ -53,7 +53,7 @@ std::vector<std::size_t> other_columns(const DumpFrame &frame, const std::vector
   const std::array rod{"id",    "type",  "shapex", "shapey", "shapez",
                        "quat1", "quat2", "quat3",  "quat4"};
   std::vector<std::size_t> others;
-  for (std::size_t column = 0; column < frame.columns.size(); ++column) {
+  for (std::size_t column = 0; column < frame.columns.size(); column++) {
     const std::string &name = frame.columns[column];
     if (std::find(rod.begin(), rod.end(), name) == rod.end() &&
         std::find(said.begin(), said.end(), name) == said.end())

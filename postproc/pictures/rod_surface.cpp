@@ -57,7 +57,7 @@ class SurfaceBuilder {
     const RodFrame frame(capsule.segment.axis);
     vtkDataArray *shape_normals = shape->GetPointData()->GetNormals();
     const vtkIdType first = points_->GetNumberOfPoints();
-    for (vtkIdType i = 0; i < shape->GetNumberOfPoints(); ++i) {
+    for (vtkIdType i = 0; i < shape->GetNumberOfPoints(); i++) {
       const Vec3 p = capsule.segment.centre + frame.turned(shape->GetPoint(i));
       const Vec3 n = frame.turned(shape_normals->GetTuple3(i));
       points_->InsertNextPoint(p.x, p.y, p.z);
@@ -69,7 +69,7 @@ class SurfaceBuilder {
     vtkCellArray *triangles = shape->GetPolys();
     for (triangles->InitTraversal(); triangles->GetNextCell(size, corners);) {
       polygons_->InsertNextCell(static_cast<int>(size));
-      for (vtkIdType i = 0; i < size; ++i) polygons_->InsertCellPoint(first + corners[i]);
+      for (vtkIdType i = 0; i < size; i++) polygons_->InsertCellPoint(first + corners[i]);
       geometry_.rod_of_cell.push_back(index);
     }
   }
@@ -97,7 +97,7 @@ class SurfaceBuilder {
 RodGeometry rod_surfaces(const std::vector<Rod> &rods, int resolution)
 {
   SurfaceBuilder builder(resolution);
-  for (std::size_t i = 0; i < rods.size(); ++i)
+  for (std::size_t i = 0; i < rods.size(); i++)
     builder.add(rods[i].capsule, static_cast<vtkIdType>(i));
   return builder.finish();
 }
@@ -110,7 +110,7 @@ RodGeometry rod_lines(const std::vector<Rod> &rods)
   vtkNew<vtkCellArray> vertices, lines;
   points->SetDataTypeToFloat();
   for (const bool spheres : {true, false}) {
-    for (std::size_t i = 0; i < rods.size(); ++i) {
+    for (std::size_t i = 0; i < rods.size(); i++) {
       if (rods[i].is_sphere() != spheres) continue;
       const Segment &segment = rods[i].capsule.segment;
       vtkCellArray *cells = spheres ? vertices : lines;

@@ -14,12 +14,12 @@
 namespace spherocylinder {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Box nothing()
 {
   Box box;
-  box.fill({infinity, -infinity});
+  box.fill({kInfinity, -kInfinity});
   return box;
 }
 
@@ -36,7 +36,7 @@ Box reach_of(const std::vector<Rod> &rods)
     const Segment &s = rod.capsule.segment;
     const double centre[] = {s.centre.x, s.centre.y, s.centre.z};
     const double axis[] = {s.axis.x, s.axis.y, s.axis.z};
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; i++) {
       const double reach = std::abs(axis[i]) * s.half_length + rod.capsule.radius;
       include(box[i], centre[i] - reach, centre[i] + reach);
     }
@@ -101,7 +101,7 @@ ShownPart::ShownPart(const PartOptions &options, View view, bool several)
   if (options.top && vessel_ && is_upright() && *options.top <= vessel_->floor)
     throw InputError(fmt::format("--top: must be above the floor {} (got {})", vessel_->floor,
                                  *options.top));
-  if (options.cut && view == View::top)
+  if (options.cut && view == View::Top)
     throw InputError("--cut: needs a view from the side or oblique (got 'top')");
 }
 
@@ -114,7 +114,7 @@ void ShownPart::look_at(const DumpFrame &frame, const std::vector<Rod> &rods)
   if (kept.empty()) return;
   const Box reach = reach_of(kept);
   const auto periodic = edged(frame);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; i++) {
     include(reach_[i], reach[i][0], reach[i][1]);
     const auto &[low, high] = periodic[i] ? frame.box[i] : reach[i];
     include(bounds_[i], low, high);
@@ -140,7 +140,7 @@ void ShownPart::need_inside(const DumpFrame &frame, const std::vector<Rod> &kept
     need_rods_inside({frame, kept, 0}, *vessel_);
     return;
   }
-  const Ends along = given_ends().value_or(Ends{-infinity, infinity});
+  const Ends along = given_ends().value_or(Ends{-kInfinity, kInfinity});
   const auto outside = std::count_if(kept.begin(), kept.end(), [&](const Rod &rod) {
     const Vec3 c = to_vessel(rod.capsule.segment.centre, axis_);
     return std::hypot(c.x - vessel_->x, c.y - vessel_->y) > vessel_->radius || c.z < along.low ||
@@ -188,7 +188,7 @@ bool ShownPart::is_cut_off(const Rod &rod) const
 std::vector<std::size_t> ShownPart::rods_shown(const std::vector<Rod> &rods) const
 {
   std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < rods.size(); ++i)
+  for (std::size_t i = 0; i < rods.size(); i++)
     if (is_kept(rods[i]) && !(options_.cut && is_cut_off(rods[i]))) shown.push_back(i);
   return shown;
 }
@@ -221,7 +221,7 @@ DrawnVessel ShownPart::drawn_vessel() const
   const double bed = reach_[2][1] - vessel_->floor;
   const double part = options_.top ? *options_.top - vessel_->floor
                                    : 1.1 * std::max(bed, 0.25 * vessel_->radius);
-  const double whole = options_.vessel_height.value_or(infinity);
+  const double whole = options_.vessel_height.value_or(kInfinity);
   return {vessel_up_to(*vessel_, vessel_->floor + std::min(part, whole)), axis_, false,
           part < whole};
 }
@@ -237,7 +237,7 @@ std::optional<Box> ShownPart::edges(const DumpFrame &frame) const
   const auto periodic = edged(frame);
   if (std::find(periodic.begin(), periodic.end(), true) == periodic.end()) return std::nullopt;
   Box box = frame.box;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; i++)
     if (!periodic[i]) box[i] = reach_[i];
   return box;
 }

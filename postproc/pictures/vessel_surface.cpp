@@ -10,7 +10,7 @@
 namespace spherocylinder {
 namespace {
 
-constexpr int facets = 180;  // of a whole turn; a chord leaves the circle by 1.5e-4 of its radius
+constexpr int kFacets = 180;  // of a whole turn; a chord leaves the circle by 1.5e-4 of its radius
 
 vtkIdType add_point(vtkPoints *points, const UprightCylinder &vessel, double angle, double z)
 {
@@ -18,7 +18,7 @@ vtkIdType add_point(vtkPoints *points, const UprightCylinder &vessel, double ang
                                  vessel.y + vessel.radius * std::sin(angle), z);
 }
 
-double angle_of(double i, const WallArc &arc) { return arc.begin + arc.span * i / facets; }
+double angle_of(double i, const WallArc &arc) { return arc.begin + arc.span * i / kFacets; }
 
 vtkSmartPointer<vtkPolyData> poly_data(vtkPoints *points)
 {
@@ -33,11 +33,11 @@ vtkSmartPointer<vtkPolyData> vessel_wall(const UprightCylinder &vessel, const Wa
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
-  for (int i = 0; i <= facets; ++i) {
+  for (int i = 0; i <= kFacets; i++) {
     add_point(points, vessel, angle_of(i, arc), vessel.z_low);
     add_point(points, vessel, angle_of(i, arc), vessel.z_high);
   }
-  for (vtkIdType i = 0; i < facets; ++i) {
+  for (vtkIdType i = 0; i < kFacets; i++) {
     const vtkIdType corners[4] = {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1};
     quads->InsertNextCell(4, corners);
   }
@@ -50,8 +50,8 @@ vtkSmartPointer<vtkPolyData> vessel_floor(const UprightCylinder &vessel)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> disc;
-  disc->InsertNextCell(facets);
-  for (int i = 0; i < facets; ++i)
+  disc->InsertNextCell(kFacets);
+  for (int i = 0; i < kFacets; i++)
     disc->InsertCellPoint(add_point(points, vessel, angle_of(i, {}), vessel.z_low));
   auto data = poly_data(points);
   data->SetPolys(disc);
@@ -62,8 +62,8 @@ vtkSmartPointer<vtkPolyData> vessel_ring(const UprightCylinder &vessel, double z
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> line;
-  line->InsertNextCell(facets + 1);
-  for (int i = 0; i <= facets; ++i)
+  line->InsertNextCell(kFacets + 1);
+  for (int i = 0; i <= kFacets; i++)
     line->InsertCellPoint(add_point(points, vessel, angle_of(i, {}), z));
   auto data = poly_data(points);
   data->SetLines(line);
@@ -75,7 +75,7 @@ vtkSmartPointer<vtkPolyData> dashed_vessel_ring(const UprightCylinder &vessel, d
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> dashes;
   // Dashes lie evenly about the x and y axes, so that from the side the front covers the back.
-  for (int i = 0; i < facets; i += 2) {
+  for (int i = 0; i < kFacets; i += 2) {
     dashes->InsertNextCell(2);
     for (const double end : {i - 0.5, i + 0.5})
       dashes->InsertCellPoint(add_point(points, vessel, angle_of(end, {}), z));
@@ -103,7 +103,7 @@ Vec3 to_space(const Vec3 &vessel, int axis)
 void turn_to_space(vtkPolyData *mesh, int axis)
 {
   vtkPoints *points = mesh->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); i++) {
     const double *p = points->GetPoint(i);
     const Vec3 turned = to_space({p[0], p[1], p[2]}, axis);
     points->SetPoint(i, turned.x, turned.y, turned.z);

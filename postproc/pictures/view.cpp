@@ -9,8 +9,8 @@ namespace spherocylinder {
 
 ViewFrame frame_of(View view)
 {
-  if (view == View::side) return {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-  if (view == View::top) return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  if (view == View::Side) return {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+  if (view == View::Top) return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const double turn = 0.44, lift = 0.44;  // rad, 25 degrees
   const Vec3 right{std::cos(turn), std::sin(turn), 0.0};
   const Vec3 front{std::sin(turn), -std::cos(turn), 0.0};
@@ -28,7 +28,7 @@ void Extent::include(const Vec3 &point, double radius)
 {
   const double along[3] = {dot(point, frame_.right), dot(point, frame_.up),
                            dot(point, frame_.towards)};
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; i++) {
     low_[i] = std::min(low_[i], along[i] - radius);
     high_[i] = std::max(high_[i], along[i] + radius);
   }
@@ -43,7 +43,7 @@ void Extent::include(const std::vector<Rod> &rods)
 
 void Extent::include(const Extent &other)
 {
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; i++) {
     low_[i] = std::min(low_[i], other.low_[i]);
     high_[i] = std::max(high_[i], other.high_[i]);
   }

@@ -9,9 +9,9 @@
 namespace spherocylinder {
 
 enum class View {
-  side,     // along +y, level
-  top,      // straight down, x to the right
-  oblique,  // from the front right, 25 degrees above the horizontal
+  Side,     // along +y, level
+  Top,      // straight down, x to the right
+  Oblique,  // from the front right, 25 degrees above the horizontal
 };
 
 struct ViewFrame {

@@ -16,10 +16,10 @@ namespace spherocylinder {
 namespace {
 
 // A sliver need not be known to the same relative error as a rod: its share in any sum is small.
-constexpr double sliver = 1e-3;
+constexpr double kSliver = 1e-3;
 
 // Areas below this part of the rod's round section are round-off of disjoint sections.
-constexpr double no_area = 1e-13;
+constexpr double kNoArea = 1e-13;
 
 double clamp_to(double value, double low, double high)
 {
@@ -54,7 +54,7 @@ Vec3 middle_of(const UprightBox &box)
           0.5 * (box.z_low + box.z_high)};
 }
 
-constexpr double out_of_reach = std::numeric_limits<double>::max();
+constexpr double kOutOfReach = std::numeric_limits<double>::max();
 
 double volume_between(const Capsule &rod, double z_low, double z_high)
 {
@@ -64,23 +64,23 @@ double volume_between(const Capsule &rod, double z_low, double z_high)
 // What the body leaves of a rod that only parallel planes of it cut.
 std::optional<double> volume_cut_by_planes(const UprightCylinder &c, const Capsule &rod)
 {
-  if (!holds({c.x, c.y, c.radius, -out_of_reach, out_of_reach}, rod)) return std::nullopt;
+  if (!holds({c.x, c.y, c.radius, -kOutOfReach, kOutOfReach}, rod)) return std::nullopt;
   return volume_between(rod, c.z_low, c.z_high);
 }
 
 std::optional<double> volume_cut_by_planes(const UprightBox &b, const Capsule &rod)
 {
-  constexpr double all = out_of_reach;
-  if (holds(UprightBox(b.x_low, b.x_high, b.y_low, b.y_high, -all, all), rod))
+  constexpr double kAll = kOutOfReach;
+  if (holds(UprightBox(b.x_low, b.x_high, b.y_low, b.y_high, -kAll, kAll), rod))
     return volume_between(rod, b.z_low, b.z_high);
   Capsule turned = rod;  // with x or y up
   Vec3 &centre = turned.segment.centre, &axis = turned.segment.axis;
-  if (holds(UprightBox(-all, all, b.y_low, b.y_high, b.z_low, b.z_high), rod)) {
+  if (holds(UprightBox(-kAll, kAll, b.y_low, b.y_high, b.z_low, b.z_high), rod)) {
     std::swap(centre.x, centre.z);
     std::swap(axis.x, axis.z);
     return volume_between(turned, b.x_low, b.x_high);
   }
-  if (holds(UprightBox(b.x_low, b.x_high, -all, all, b.z_low, b.z_high), rod)) {
+  if (holds(UprightBox(b.x_low, b.x_high, -kAll, kAll, b.z_low, b.z_high), rod)) {
     std::swap(centre.y, centre.z);
     std::swap(axis.y, axis.z);
     return volume_between(turned, b.y_low, b.y_high);
@@ -143,7 +143,7 @@ class Quadrangle {
 
   Interval chord(double x) const
   {
-    Interval found{-out_of_reach, out_of_reach};
+    Interval found{-kOutOfReach, kOutOfReach};
     for (const Side &side : sides_) {
       const double at = x * side.normal;
       if (side.along == 0.0) {
@@ -181,29 +181,29 @@ Quadrangle footprint(const UprightBox &b, const Vec3 &centre, const Vec3 &normal
 template <class Body>
 double position_nearest(const Body &body, const Segment &segment)
 {
-  constexpr double golden = 0.6180339887498949;
-  constexpr int steps = 80;  // golden^80 < 1e-16
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kSteps = 80;  // kGolden^80 < 1e-16
   const auto distance = [&](double s) {
     return norm_squared(segment.at(s) - closest_point(body, segment.at(s)));
   };
   double low = -segment.half_length;
   double high = segment.half_length;
-  double left = high - golden * (high - low);
-  double right = low + golden * (high - low);
+  double left = high - kGolden * (high - low);
+  double right = low + kGolden * (high - low);
   double at_left = distance(left);
   double at_right = distance(right);
-  for (int i = 0; i < steps && low < high; ++i) {
+  for (int i = 0; i < kSteps && low < high; i++) {
     if (at_left <= at_right) {
       high = right;
       right = left;
       at_right = at_left;
-      left = high - golden * (high - low);
+      left = high - kGolden * (high - low);
       at_left = distance(left);
     } else {
       low = left;
       left = right;
       at_left = at_right;
-      right = low + golden * (high - low);
+      right = low + kGolden * (high - low);
       at_right = distance(right);
     }
   }
@@ -246,7 +246,7 @@ class Sections {
     if (!(chord.low < chord.high)) return 0.0;
     const double shared =
         intersection_area(stadium(x), {chord.low, chord.high, z_low_, z_high_});
-    return shared > no_area * radius_ * radius_ ? shared : 0.0;
+    return shared > kNoArea * radius_ * radius_ ? shared : 0.0;
   }
 
   // No section between a and b is larger: the rod's own is largest nearest to its axis.
@@ -300,7 +300,7 @@ BoundedVolume common_volume(const Capsule &capsule, const Body &body, double tol
   return convex_volume({[&](double x) { return sections.common_area(x); },
                         [&](double a, double b) { return sections.largest_area(a, b); },
                         sections.lowest(), inner, sections.highest()},
-                       tolerance, sliver * whole);
+                       tolerance, kSliver * whole);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace spherocylinder {
 namespace {
 
 // Stops a tolerance below round-off; 1e5 samples reach 1e-9.
-constexpr std::size_t most_samples = 100000;
+constexpr std::size_t kMostSamples = 100000;
 
 struct Sample {
   double x;
@@ -84,7 +84,7 @@ BoundedVolume convex_volume(const ConvexSections &sections, double tolerance, do
   while (true) {
     Bounds total{0.0, 0.0};
     bounds.clear();
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < samples.size(); i++) {
       bounds.push_back(
           integral_bounds(samples, i, sections.largest_area(samples[i].x, samples[i + 1].x)));
       total.low += bounds.back().low;
@@ -92,12 +92,12 @@ BoundedVolume convex_volume(const ConvexSections &sections, double tolerance, do
     }
     const double gap = total.high - total.low;
     const double wanted = 2.0 * tolerance * std::max(total.low, least);
-    if (gap <= wanted || samples.size() >= most_samples)
+    if (gap <= wanted || samples.size() >= kMostSamples)
       return {0.5 * (total.low + total.high), 0.5 * gap};
 
     const double share = wanted / static_cast<double>(bounds.size());
     finer.clear();
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < samples.size(); i++) {
       finer.push_back(samples[i]);
       const double middle = 0.5 * (samples[i].x + samples[i + 1].x);
       if (bounds[i].high - bounds[i].low > share && samples[i].x < middle &&

@@ -14,18 +14,18 @@ namespace spherocylinder {
 namespace {
 
 // An overlap need not be known better than this part of a rod.
-constexpr double least = 1e-8;
+constexpr double kLeast = 1e-8;
 
 // Axes at a smaller angle are taken as parallel: over a rod of 1000 diameters this is off by a
 // millionth of a diameter.
-constexpr double parallel_sine = 1e-9;
+constexpr double kParallelSine = 1e-9;
 
 // Of the smaller radius; for deeper overlaps the roots that the quadrature leaves in its integrand
 // come near the interval.
-constexpr double deepest_crossing = 0.5;
+constexpr double kDeepestCrossing = 0.5;
 
 // Relative, of the quadratures of the quick cases at that depth.
-constexpr double quick_error = 1e-8;
+constexpr double kQuickError = 1e-8;
 
 // Both rods seen from planes parallel to both axes: t along a's axis, x along the normal n.
 struct Crossing {
@@ -46,7 +46,7 @@ Crossing crossing_of(const Segment &a, const Segment &b)
 {
   const Vec3 between = b.centre - a.centre;
   Vec3 n = cross(a.axis, b.axis);
-  if (norm(n) < parallel_sine) n = between - dot(between, a.axis) * a.axis;
+  if (norm(n) < kParallelSine) n = between - dot(between, a.axis) * a.axis;
   n = norm(n) > 0.0 ? (1.0 / norm(n)) * n : perpendicular(a.axis);
   if (dot(between, n) < 0.0) n = -n;
   const Vec3 e1 = a.axis, e2 = cross(n, a.axis);
@@ -66,9 +66,9 @@ double half_width(double radius, double x)
 bool crosses_clear_of_ends(const Capsule &a, const Capsule &b, const Crossing &c)
 {
   const double depth = a.radius + b.radius - c.apart;
-  if (depth > deepest_crossing * std::min(a.radius, b.radius)) return false;
+  if (depth > kDeepestCrossing * std::min(a.radius, b.radius)) return false;
   const double sine = std::abs(c.axis_b.z);
-  if (sine < parallel_sine) return false;
+  if (sine < kParallelSine) return false;
   const double t = -c.centre_b.z / c.axis_b.z;
   const double s = c.centre_b.t + t * c.axis_b.t;
   const double wide_a = half_width(a.radius, c.apart - b.radius);
@@ -82,17 +82,17 @@ bool crosses_clear_of_ends(const Capsule &a, const Capsule &b, const Crossing &c
 // c^2 pi/(n + 1) sum sin^2(k pi/(n + 1)) F(m + c cos(k pi/(n + 1))), m the middle, 2 c the width.
 double crossing_volume(const Capsule &a, const Capsule &b, const Crossing &c)
 {
-  constexpr int nodes = 8;
+  constexpr int kNodes = 8;
   const double low = c.apart - b.radius, high = a.radius;
   const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
   double sum = 0.0;
-  for (int k = 1; k <= nodes; ++k) {
-    const double angle = k * pi / (nodes + 1);
+  for (int k = 1; k <= kNodes; k++) {
+    const double angle = k * pi / (kNodes + 1);
     const double x = middle + half * std::cos(angle);
     sum += std::sin(angle) * std::sin(angle) *
            std::sqrt((a.radius + x) * (b.radius + c.apart - x));
   }
-  return 4.0 / std::abs(c.axis_b.z) * half * half * pi / (nodes + 1) * sum;
+  return 4.0 / std::abs(c.axis_b.z) * half * half * pi / (kNodes + 1) * sum;
 }
 
 // An end of a rod that touches, as a ball.
@@ -140,9 +140,9 @@ double balls_volume(double r, double q, double g)
 // that x = middle - half cos(theta) takes away; Gauss-Legendre in theta.
 double ball_in_tube_volume(double r, double q, double g)
 {
-  constexpr double nodes[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
+  constexpr double kNodes[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
                               0.8650633666889845, 0.9739065285171717};
-  constexpr double weights[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820,
+  constexpr double kWeights[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820,
                                 0.1494513491505806, 0.0666713443086881};
   const double x0 = ((r - q) * (r + q) + g * g) / (2.0 * g);
   const double middle = 0.5 * (x0 + g - q), half = 0.5 * (x0 - g + q);
@@ -153,9 +153,9 @@ double ball_in_tube_volume(double r, double q, double g)
     return (w * rest + rho * rho * std::atan2(w, rest)) * std::sin(theta);
   };
   double sum = 0.0;
-  for (int k = 0; k < 5; ++k)
+  for (int k = 0; k < 5; k++)
     for (const double side : {-1.0, 1.0})
-      sum += weights[k] * integrand(0.5 * pi * (1.0 + side * nodes[k]));
+      sum += kWeights[k] * integrand(0.5 * pi * (1.0 + side * kNodes[k]));
   return 2.0 * half * 0.5 * pi * sum + cap_volume(r, r - x0);
 }
 
@@ -164,7 +164,7 @@ std::optional<double> quick_volume(const Capsule &a, const Capsule &b,
                                    const ClosestPoints &closest, double g)
 {
   const double depth = a.radius + b.radius - g;
-  if (depth > deepest_crossing * std::min(a.radius, b.radius)) return std::nullopt;
+  if (depth > kDeepestCrossing * std::min(a.radius, b.radius)) return std::nullopt;
   const Vec3 a_to_b = (-1.0 / g) * closest.delta;
   const BallEnd end_a = end_at(a, closest.s), end_b = end_at(b, closest.t);
   const bool beyond_a = lies_beyond_end(end_a, a_to_b, g - b.radius);
@@ -188,11 +188,11 @@ BoundedVolume overlap_volume(const Capsule &a, const Capsule &b, double toleranc
   if (!(depth > 0.0)) return {0.0, 0.0};
 
   if (const auto quick = quick_volume(a, b, closest, distance))
-    return {*quick, quick_error * *quick};
+    return {*quick, kQuickError * *quick};
   const Crossing c = crossing_of(a.segment, b.segment);
   if (crosses_clear_of_ends(a, b, c)) {
     const double volume = crossing_volume(a, b, c);
-    return {volume, quick_error * volume};
+    return {volume, kQuickError * volume};
   }
 
   const double low = std::max(-a.radius, c.apart - b.radius);
@@ -219,7 +219,7 @@ BoundedVolume overlap_volume(const Capsule &a, const Capsule &b, double toleranc
     return std::min(area(section_a(near_a)), area(section_b(near_b)));
   };
   return convex_volume({common, largest, low, inner, high}, tolerance,
-                       least * std::min(volume(a), volume(b)));
+                       kLeast * std::min(volume(a), volume(b)));
 }
 
 }  // namespace spherocylinder

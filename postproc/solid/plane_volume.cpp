@@ -64,8 +64,8 @@ double tube_below(double r, double h, double s, double c, double d)
   if (d <= -h * c - s * r) return 0.0;
   // Below this change of b the difference of two integrals has fewer digits than three Gauss
   // points, which a root at the disc's rim leaves off by the change to the power 3/2.
-  constexpr double little = 1e-6;
-  if (2.0 * h * c > little * s * r)
+  constexpr double kLittle = 1e-6;
+  if (2.0 * h * c > kLittle * s * r)
     return (integrated_disc(r, s, d + h * c) - integrated_disc(r, s, d - h * c)) / c;
   const auto section = [&](double q) {
     return disc_below(r, std::clamp((d - q * h * c) / s, -r, r));

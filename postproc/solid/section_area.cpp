@@ -108,7 +108,7 @@ class PlacedStadium {
     cuts.push_back(0.0);
     cuts.push_back(1.0);
     std::sort(cuts.begin(), cuts.end());
-    for (std::size_t i = 1; i < cuts.size(); ++i)
+    for (std::size_t i = 1; i < cuts.size(); i++)
       if (cuts[i] > cuts[i - 1] && other.holds(point(0.5 * (cuts[i - 1] + cuts[i])), rim))
         add(cuts[i - 1], cuts[i]);
   }
@@ -181,7 +181,7 @@ double area(const Polygon &polygon)
 {
   // Relative to the first corner: a small polygon far from the origin keeps its digits.
   double twice = 0.0;
-  for (std::size_t i = 2; i < polygon.size(); ++i)
+  for (std::size_t i = 2; i < polygon.size(); i++)
     twice += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
   return 0.5 * twice;
 }
@@ -195,7 +195,7 @@ Polygon clip(const Polygon &polygon, const Point2 &normal, double offset)
 {
   Polygon kept;
   kept.reserve(polygon.size() + 1);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
+  for (std::size_t i = 0; i < polygon.size(); i++) {
     const Point2 &a = polygon[i];
     const Point2 &b = polygon[(i + 1) % polygon.size()];
     const double outside_a = dot(normal, a) - offset;
@@ -210,7 +210,7 @@ Polygon clip(const Polygon &polygon, const Point2 &normal, double offset)
 double intersection_area(const Polygon &polygon, const Point2 &centre, double radius)
 {
   double sum = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
+  for (std::size_t i = 0; i < polygon.size(); i++)
     sum +=
         disc_triangle_area(polygon[i] - centre, polygon[(i + 1) % polygon.size()] - centre, radius);
   return std::max(sum, 0.0);
@@ -220,8 +220,8 @@ double intersection_area(const Polygon &polygon, const Point2 &centre, double ra
 // the two outlines run on top of each other they do so in the same sense, and a's counts.
 double intersection_area(const Stadium &a, const Stadium &b, const Point2 &b_centre)
 {
-  constexpr double rim_rounding = 1e-14;
-  const double rim = rim_rounding * (std::hypot(b_centre.t, b_centre.z) + a.half_length +
+  constexpr double kRimRounding = 1e-14;
+  const double rim = kRimRounding * (std::hypot(b_centre.t, b_centre.z) + a.half_length +
                                      b.half_length + a.radius + b.radius);
   const PlacedStadium placed_a(a, {0.0, 0.0}), placed_b(b, b_centre);
   const double twice = placed_a.outline_inside(placed_b, b_centre, rim) +

@@ -37,7 +37,7 @@ struct Straightness {
 
   void add(const GluedRod &g, std::int64_t step)
   {
-    ++bodies;
+    bodies++;
     least_spheres = std::min(least_spheres, g.spheres);
     most_spheres = std::max(most_spheres, g.spheres);
     if (worst_body == 0 || g.deviation > deviation) {
@@ -69,7 +69,7 @@ void run(const Options &options)
   Straightness whole;
   std::size_t frames = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
-    ++frames;
+    frames++;
     const std::vector<GluedRod> rods = glued_rods(frame, options.bodies);
     dump.add(frame, rods);
     if (!options.data.empty()) data = rod_data_file(frame, rods, options.density);

@@ -23,9 +23,9 @@ int main(int argc, char **argv)
   app.footer(
       "Example: place_rods --lambda 10 --solid 0.05 --rods 2000 --out gas.data\n"
       "         place_rods --lambda 30 --solid 0.15 --rods 2000 --copies 5 2 1 --floor");
-  constexpr double most = 1e6;
+  constexpr double kMost = 1e6;
   app.add_option("--lambda", options.lambda, "aspect ratio of the rods, length / diameter")
-      ->check(number_between(1.0, most))
+      ->check(number_between(1.0, kMost))
       ->capture_default_str();
   app.add_option("--solid", options.solid, "part of the volume that is rods")
       ->check(number_between(1e-12, 0.7))
@@ -38,14 +38,14 @@ int main(int argc, char **argv)
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--diameter", options.diameter, "of a rod (m)")
-      ->check(number_between(1e-12, most))
+      ->check(number_between(1e-12, kMost))
       ->capture_default_str();
   app.add_option("--density", options.density, "of a rod (kg/m^3)")
       ->check(positive_number())
       ->capture_default_str();
   app.add_option("--speed", options.speed,
                  "standard deviation of each component of a velocity (m/s)")
-      ->check(number_between(0.0, most))
+      ->check(number_between(0.0, kMost))
       ->capture_default_str();
   app.add_flag("--floor", options.floor,
                "not periodic in z: the box is a rod's length higher, all rods above z = 0");
@@ -55,7 +55,7 @@ int main(int argc, char **argv)
       ->capture_default_str();
   app.add_option("--out", out, "FILE to write")->capture_default_str();
   return run_tool(app, argc, argv, [&] {
-    for (int d = 0; d < 3; ++d) options.copies[d] = copies[d];
+    for (int d = 0; d < 3; d++) options.copies[d] = copies[d];
     const RodGas gas = rod_gas(options);
     write_file(out, gas_data_file(options, gas));
     fmt::print("{} rods in a box of {:.6g} x {:.6g} x {:.6g} m: {}\n", gas.rods.size(), gas.box[0],

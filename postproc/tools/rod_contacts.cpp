@@ -24,7 +24,7 @@ struct Options {
   VesselOptions vessel;
   double gap = 0.0;  // diameters of the thickest rod
   std::vector<std::string> local, wall_local;
-  std::string local_keywords = default_local_keywords, wall_local_keywords = default_local_keywords;
+  std::string local_keywords = kDefaultLocalKeywords, wall_local_keywords = kDefaultLocalKeywords;
   double strong = 1.0;
   std::size_t bins = 40;
   std::string csv, tables, contacts_csv;
@@ -41,7 +41,7 @@ class ForceFiles {
 
   std::optional<std::vector<ContactForce>> at(const Bed &bed, LocalKind kind)
   {
-    const bool of_pairs = kind == LocalKind::pairs;
+    const bool of_pairs = kind == LocalKind::Pairs;
     const std::vector<std::string> &paths = of_pairs ? options_.local : options_.wall_local;
     if (paths.empty()) return std::nullopt;
     auto &[file, forces] = open_[of_pairs ? 0 : 1];
@@ -123,7 +123,7 @@ void print_table(const BedContacts &b, double strong, bool with_walls)
   measured("mean position on side", b.side_position, beside(0.5) + "   (0 centre, 1 end)");
   measured("<|sin gamma|>", b.sin_gamma,
            fmt::format("{:8.4f}   (long isotropic rods; of all pairs {} are measured)",
-                       isotropic_contact_sin_gamma, cell(b.sin_gamma_of_all, 0, 4)));
+                       kIsotropicContactSinGamma, cell(b.sin_gamma_of_all, 0, 4)));
   print_spread("overlap / diameter", b.overlaps.size(), b.overlap, "");
   if (!b.walls.empty())
     print_spread("  at walls", b.wall_overlaps.size(), b.wall_overlap, "");
@@ -138,13 +138,13 @@ class Tables {
         has_contacts_(!o.contacts_csv.empty()),
         bins_(o.bins),
         summary_(o.csv, contact_summary_fields(), several_),
-        numbers_(path(o, "numbers"), number_fields(), several_, MissingRows::zero),
+        numbers_(path(o, "numbers"), number_fields(), several_, MissingRows::Zero),
         positions_(path(o, "positions"), position_fields(), several_),
         overlaps_(path(o, "overlaps"), over_mean_fields("overlap"), several_),
         forces_(o.local.empty() && o.wall_local.empty() ? "" : path(o, "forces"),
                 over_mean_fields("force"), several_),
         chains_(o.local.empty() ? "" : path(o, "chains"), chain_fields(), several_,
-                MissingRows::zero),
+                MissingRows::Zero),
         contacts_(o.contacts_csv, contact_fields(), false)
   {
     if (several_ && has_contacts_)
@@ -204,8 +204,8 @@ void run(const Options &options)
   Tables tables(options);
   for_each_bed(options.beds, [&](const Bed &bed) {
     const BedContacts contacts = measure_contacts(
-        bed, vessel, options.gap, force_files.at(bed, LocalKind::pairs),
-        force_files.at(bed, LocalKind::walls), options.strong);
+        bed, vessel, options.gap, force_files.at(bed, LocalKind::Pairs),
+        force_files.at(bed, LocalKind::Walls), options.strong);
     tables.add(bed, contacts);
     if (options.beds.several()) fmt::print("{}: ", bed.frame.path);
     print_table(contacts, options.strong, vessel.has_value());

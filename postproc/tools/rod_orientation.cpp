@@ -20,10 +20,10 @@ using namespace spherocylinder;
 
 namespace {
 
-const std::map<std::string, BinSpacing> spacings{
-    {"solid-angle", BinSpacing::equal_solid_angle}, {"angle", BinSpacing::equal_angle}};
-const std::map<std::string, NearWall> walls{
-    {"nearest", NearWall::nearest}, {"side", NearWall::side}, {"floor", NearWall::floor}};
+const std::map<std::string, BinSpacing> kSpacings{
+    {"solid-angle", BinSpacing::EqualSolidAngle}, {"angle", BinSpacing::EqualAngle}};
+const std::map<std::string, NearWall> kWalls{
+    {"nearest", NearWall::Nearest}, {"side", NearWall::Side}, {"floor", NearWall::Floor}};
 
 struct Options {
   BedFiles beds;
@@ -49,9 +49,9 @@ void print_order(const BedOrientation &b)
   const double of_chance = 1.0 / std::sqrt(static_cast<double>(o.rods));
   fmt::print("                         measured   error   isotropic\n");
   print_line("mean elevation (deg)", {o.elevation.mean * degrees, o.elevation.error * degrees},
-             isotropic_mean_elevation * degrees, 2);
-  print_line("<|u_z|>", o.abs_uz, isotropic_mean_abs_uz, 4);
-  print_line("<u_z^2>", o.uz_squared, isotropic_mean_uz_squared, 4);
+             kIsotropicMeanElevation * degrees, 2);
+  print_line("<|u_z|>", o.abs_uz, kIsotropicMeanAbsUz, 4);
+  print_line("<u_z^2>", o.uz_squared, kIsotropicMeanUzSquared, 4);
   const Vec3 &d = o.nematic.director;
   print_line("nematic order", {o.nematic.order, o.nematic.error}, of_chance, 4,
              fmt::format("(1/sqrt(n)), director ({:.3f}, {:.3f}, {:.3f})", d.x, d.y, d.z));
@@ -61,11 +61,11 @@ void print_order(const BedOrientation &b)
              fmt::format("(1/sqrt(n)), heading {} deg", cell(o.azimuthal.azimuth * degrees, 0, 1)));
   if (!std::isnan(o.radial.mean))
     print_line("radial order", o.radial, 0.0, 4, "(-1 around the axis, 1 towards it)");
-  print_line("<|sin gamma|>", o.sin_gamma, isotropic_sin_gamma, 4,
-             fmt::format("{} of {} axes", o.rods > most_axes_paired ? "pairs" : "all pairs",
-                         std::min(o.rods, most_axes_paired)));
+  print_line("<|sin gamma|>", o.sin_gamma, kIsotropicSinGamma, 4,
+             fmt::format("{} of {} axes", o.rods > kMostAxesPaired ? "pairs" : "all pairs",
+                         std::min(o.rods, kMostAxesPaired)));
   if (b.near_pairs > 0)
-    print_line("  of near pairs", b.near_sin_gamma, isotropic_contact_sin_gamma, 4,
+    print_line("  of near pairs", b.near_sin_gamma, kIsotropicContactSinGamma, 4,
                fmt::format("{} pairs", b.near_pairs));
 }
 
@@ -77,7 +77,7 @@ void print_table(const BedOrientation &b, const Options &options)
   print_line("V_f by random contacts", b.order.random_contact, b.random_contact_isotropic, 4,
              std::isnan(b.random_contact_isotropic)
                  ? fmt::format("lambda {:.4g}: the equation is for slender rods, lambda >= {:g}",
-                               b.lambda, random_contacts_from)
+                               b.lambda, kRandomContactsFrom)
                  : fmt::format("lambda {:.4g}, {:.4g} contacts counted on each rod", b.lambda,
                                half_contacts));
   if (b.measured)
@@ -111,7 +111,7 @@ void need_vessel_for_walls(const Options &options)
     throw InputError("--wall, --wall-width: wanted with --vessel-radius or --floor");
   if (!vessel && !(options.wall_csv.empty() && options.wall_bins_csv.empty()))
     throw InputError("--wall-csv, --wall-bins-csv: wanted with --vessel-radius or --floor");
-  if (options.measured.wall == NearWall::side && vessel && !std::isfinite(vessel->radius))
+  if (options.measured.wall == NearWall::Side && vessel && !std::isfinite(vessel->radius))
     throw InputError("--wall: 'side' is wanted with --vessel-radius only");
 }
 
@@ -119,8 +119,8 @@ void run(Options &options)
 {
   const bool several = options.beds.several();
   options.measured.vessel = options.vessel.vessel();
-  options.measured.spacing = spacings.at(options.spacing);
-  options.measured.wall = walls.at(options.wall.value_or("nearest"));
+  options.measured.spacing = kSpacings.at(options.spacing);
+  options.measured.wall = kWalls.at(options.wall.value_or("nearest"));
   need_vessel_for_walls(options);
   ResultTable<ElevationRow> bins(options.csv, elevation_fields(), several);
   ResultTable<BedOrientation> summary(options.summary_csv, orientation_fields(), several);
@@ -163,10 +163,10 @@ int main(int argc, char **argv)
       ->capture_default_str();
   app.add_option("--spacing", options.spacing,
                  "bins of equal 'solid-angle' (an isotropic set fills all alike) or equal 'angle'")
-      ->check(CLI::IsMember(spacings))
+      ->check(CLI::IsMember(kSpacings))
       ->capture_default_str();
   app.add_option("--wall", options.wall, "wall that distances are taken from, default nearest")
-      ->check(CLI::IsMember(walls));
+      ->check(CLI::IsMember(kWalls));
   app.add_option("--wall-width", options.measured.wall_width,
                  "width of a bin of the distance (m), default a quarter of a rod")
       ->check(positive_number());

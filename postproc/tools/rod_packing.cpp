@@ -55,17 +55,17 @@ void print_theory(const BedPacking &p)
   print_theory_row("Parkhouse & Kelly", slender,
                    std::isnan(slender)
                        ? fmt::format("2 ln(lambda)/lambda is for slender rods, lambda >= {:.3g}",
-                                     parkhouse_kelly_from)
+                                     kParkhouseKellyFrom)
                        : "2 ln(lambda)/lambda");
-  const double isotropic = random_contact_fraction(lambda, isotropic_sin_gamma);
+  const double isotropic = random_contact_fraction(lambda, kIsotropicSinGamma);
   if (std::isnan(isotropic)) {
     print_theory_row("random contacts", isotropic,
                      fmt::format("the equation is for slender rods, lambda >= {:g}",
-                                 random_contacts_from));
+                                 kRandomContactsFrom));
     return;
   }
   print_theory_row("random contacts", isotropic, "isotropic");
-  print_theory_row("", random_contact_fraction(lambda, horizontal_sin_gamma), "horizontal");
+  print_theory_row("", random_contact_fraction(lambda, kHorizontalSinGamma), "horizontal");
   if (std::isnan(p.mean_sin_gamma)) return;
   const double measured = random_contact_fraction(lambda, p.mean_sin_gamma);
   std::string text = fmt::format("as measured, <|sin gamma|> = {:.4f}", p.mean_sin_gamma);
@@ -84,7 +84,7 @@ void print_table(const BedPacking &p)
   fmt::print("\n");
   if (!std::isnan(p.mean_elevation_deg))
     fmt::print("  mean elevation         {:8.2f} deg   (isotropic {:.2f})\n", p.mean_elevation_deg,
-               isotropic_mean_elevation * degrees);
+               kIsotropicMeanElevation * degrees);
   fmt::print("  highest rod centre     {:8.4g} m     (highest point {:.4g} m)\n",
              p.height.highest_centre, p.height.highest_point);
   fmt::print("  overlap                {:8.2e} m^3   -+ {:.1e}, of {} pairs: {:.2e} of the solid\n",

@@ -46,16 +46,16 @@ struct Options {
 
 void set_size(PictureOptions &picture, const std::string &size)
 {
-  constexpr int smallest = 200, largest = 4000;  // pixels
+  constexpr int kSmallest = 200, kLargest = 4000;  // pixels
   const auto cross = size.find('x');
   const auto width = to_number<int>(std::string_view(size).substr(0, cross));
   const auto height = cross == std::string::npos
                           ? std::nullopt
                           : to_number<int>(std::string_view(size).substr(cross + 1));
   for (const auto &pixels : {width, height})
-    if (!pixels || *pixels < smallest || *pixels > largest)
+    if (!pixels || *pixels < kSmallest || *pixels > kLargest)
       throw InputError(fmt::format("--size: must be WIDTHxHEIGHT, each from {} to {} (got {})",
-                                   smallest, largest, shown(size)));
+                                   kSmallest, kLargest, shown(size)));
   picture.width = *width;
   picture.height = *height;
 }
@@ -69,7 +69,7 @@ void set_background(PictureOptions &picture, const std::string &name)
     throw InputError(fmt::format(
         "--background: must be a colour's name such as white, or #rrggbb (got {})", shown(name)));
   const vtkColor4ub colour = names->HTMLColorToRGBA(name);
-  for (int i = 0; i < 3; ++i) picture.background[i] = colour[i] / 255.0;
+  for (int i = 0; i < 3; i++) picture.background[i] = colour[i] / 255.0;
 }
 
 CLI::Validator picture_name()
@@ -83,7 +83,7 @@ CLI::Validator picture_name()
 
 View view_of(const std::string &name)
 {
-  return name == "side" ? View::side : name == "top" ? View::top : View::oblique;
+  return name == "side" ? View::Side : name == "top" ? View::Top : View::Oblique;
 }
 
 std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std::size_t shown,
@@ -211,7 +211,7 @@ void run(const Options &options, char **argv)
   picture.font_size = options.font_size;
   picture.colour_bar = !options.no_bar;
   const FrameChoice choice = parse_frame_choice(options.input.frame);
-  const bool several = choice.kind == FrameChoice::Kind::all;
+  const bool several = choice.kind == FrameChoice::Kind::All;
   check(options, several);
   need_font();
   (several ? draw_all : draw_one)(options, choice, picture, argv);

@@ -44,7 +44,7 @@ std::vector<std::string> write_vessel(const UprightCylinder &vessel, int axis,
 {
   const std::vector<std::string> files{out + "_vessel.vtp", out + "_floor.vtp"};
   const vtkSmartPointer<vtkPolyData> meshes[] = {vessel_wall(vessel), vessel_floor(vessel)};
-  for (std::size_t i = 0; i < files.size(); ++i) {
+  for (std::size_t i = 0; i < files.size(); i++) {
     turn_to_space(meshes[i], axis);
     write_poly_data(files[i], meshes[i]);
   }
@@ -81,7 +81,7 @@ void run(const Options &options)
                             axis, options.out);
     write_poly_data(file, geometry.mesh);
     series.add(time, file);
-    for (std::size_t i = 0; i < vessel.size(); ++i)
+    for (std::size_t i = 0; i < vessel.size(); i++)
       series.add(time, vessel[i], static_cast<int>(i) + 1);
   });
   series.write();

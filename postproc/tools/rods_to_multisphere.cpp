@@ -63,7 +63,7 @@ void write_input(const Options &options, const DumpFrame &frame)
 
   OutputFiles files;
   std::vector<std::string> template_paths;
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
+  for (std::size_t k = 0; k < kinds.size(); k++) {
     template_paths.push_back(kinds.size() == 1 ? options.out + ".spheres"
                                                : fmt::format("{}.spheres{}", options.out, k + 1));
     files.add(template_paths.back(), template_file(kinds[k]));
@@ -108,7 +108,7 @@ int main(int argc, char **argv)
   app.add_option("--out", options.out, "PREFIX of the files to write")->capture_default_str();
   return run_tool(app, argc, argv, [&] {
     const FrameChoice choice = parse_frame_choice(options.input.frame);
-    if (choice.kind == FrameChoice::Kind::all)
+    if (choice.kind == FrameChoice::Kind::All)
       throw InputError("--frame: must be first, last or a step (got 'all')");
     for_each_frame(options.input.dump, choice,
                    [&](const DumpFrame &frame) { write_input(options, frame); });

@@ -5,6 +5,7 @@
 
 namespace spherocylinder {
 
+// Of all constants these three are written as in formulas, the others as kName.
 constexpr double pi = 3.14159265358979323846;
 constexpr double degrees = 57.295779513082321;  // in a radian
 

@@ -35,7 +35,7 @@ void for_each_piece(std::size_t count, std::size_t grain, Work work)
     }
   };
   std::vector<std::future<void>> others;
-  for (std::size_t first = 1; first < threads; ++first)
+  for (std::size_t first = 1; first < threads; first++)
     others.push_back(std::async(std::launch::async, run, first));
   if (threads > 0) run(0);
   for (auto &other : others) other.get();

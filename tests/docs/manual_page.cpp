@@ -26,7 +26,7 @@ std::string anchor_of(const std::string &heading)
 void collect_links(const std::string &line, std::vector<std::string> &links)
 {
   static const std::regex link(R"(\]\(([^)\s]+)\))");
-  for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it)
+  for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; it++)
     if ((*it)[1].str().rfind("http", 0) != 0) links.push_back((*it)[1]);
 }
 

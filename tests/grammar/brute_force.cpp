@@ -88,8 +88,8 @@ static std::vector<Vec3> images(const Box &box, const Vec3 &difference)
 std::vector<Touch> pair_touches(const State &state, const Material &material, double least)
 {
   std::vector<Touch> touches;
-  for (auto first = state.rods.begin(); first != state.rods.end(); ++first)
-    for (auto second = std::next(first); second != state.rods.end(); ++second) {
+  for (auto first = state.rods.begin(); first != state.rods.end(); first++)
+    for (auto second = std::next(first); second != state.rods.end(); second++) {
       const Rod &a = first->second, &b = second->second;
       const double reach = a.radius + b.radius;
       for (const Vec3 &apart : images(state.box, b.x - a.x)) {

@@ -20,7 +20,7 @@ using namespace spherocylinder;
 
 namespace {
 
-constexpr double diameter = 0.01;  // m
+constexpr double kDiameter = 0.01;  // m
 
 double nearest_image(double distance, double side)
 {
@@ -38,12 +38,12 @@ std::vector<Segment> random_cube(std::size_t rods, double half_length, double si
     const Segment trial{{place(random), place(random), place(random)}, (1.0 / norm(u)) * u,
                         half_length};
     bool free = true;
-    for (std::size_t i = 0; i < placed.size() && free; ++i) {
+    for (std::size_t i = 0; i < placed.size() && free; i++) {
       Segment other = placed[i];
       const Vec3 d = other.centre - trial.centre;
       other.centre = trial.centre + Vec3{nearest_image(d.x, side), nearest_image(d.y, side),
                                          nearest_image(d.z, side)};
-      free = closest_points(trial, other).distance_squared >= diameter * diameter;
+      free = closest_points(trial, other).distance_squared >= kDiameter * kDiameter;
     }
     if (free) placed.push_back(trial);
   }
@@ -61,23 +61,23 @@ int main(int argc, char **argv)
   const int tiles = std::atoi(argv[2]);
   const double rods = number(3, 1000.0), lambda = number(4, 10.0);
   const double fraction = number(5, 0.12), inflated = number(6, 1.03);
-  const double half_length = 0.5 * diameter * (lambda - 1.0);
+  const double half_length = 0.5 * kDiameter * (lambda - 1.0);
   const double pi = std::acos(-1.0);
-  const double rod_volume = pi * diameter * diameter * (0.5 * half_length + diameter / 6.0);
+  const double rod_volume = pi * kDiameter * kDiameter * (0.5 * half_length + kDiameter / 6.0);
   const double side = std::cbrt(rods * rod_volume / fraction);
   const auto cube = random_cube(static_cast<std::size_t>(rods), half_length, side);
 
   const double radius = 0.5 * tiles * side;
   std::string rows;
   std::size_t id = 0;
-  for (int i = 0; i < tiles; ++i)
-    for (int j = 0; j < tiles; ++j)
-      for (int k = 0; k < tiles; ++k)
+  for (int i = 0; i < tiles; i++)
+    for (int j = 0; j < tiles; j++)
+      for (int k = 0; k < tiles; k++)
         for (const Segment &s : cube) {
           const Vec3 c = s.centre + Vec3{i * side - radius, j * side - radius, k * side};
           if (std::hypot(c.x, c.y) > radius) continue;
           const Quaternion q = orientation_of(s.axis);
-          const double r = 0.5 * diameter * inflated;
+          const double r = 0.5 * kDiameter * inflated;
           rows += fmt::format(
               "{} 1 {:g} {:g} {:g} 0 0 -0.01 0 0 0 {:g} {:g} {:g} {:g} {:g} {:g} {:g} {} \n", ++id,
               c.x, c.y, c.z, r, r, r + half_length, q.w, q.x, q.y, q.z, id % 9);

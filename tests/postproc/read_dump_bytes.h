@@ -97,7 +97,7 @@ inline std::string read_local_bytes(const std::string &path, LocalKind kind)
     DumpFrame rods_frame;
     rods_frame.path = "rods.dump";
     std::vector<Rod> rods;
-    for (std::int64_t id = 1; id <= 3; ++id)
+    for (std::int64_t id = 1; id <= 3; id++)
       rods.push_back({id, 1, {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.1}, 0.01}});
     LocalForces forces(path, kind, "id force", "--local-keywords");
     for (const ContactForce &contact : forces.at_step(rods_frame, rods))
@@ -110,8 +110,8 @@ inline void read_bytes(const std::string &path)
 {
   read_dump_bytes(path);
   read_sphere_bytes(path);
-  read_local_bytes(path, LocalKind::pairs);
-  read_local_bytes(path, LocalKind::walls);
+  read_local_bytes(path, LocalKind::Pairs);
+  read_local_bytes(path, LocalKind::Walls);
 }
 
 }  // namespace spherocylinder

@@ -39,12 +39,12 @@ bool overlap(const Capsule &a, const Capsule &b)
 
 std::vector<Rod> random_bed(const BedOptions &o)
 {
-  constexpr int most_tries_per_rod = 3000;
+  constexpr int kMostTriesPerRod = 3000;
   std::mt19937 random(o.seed);
   std::uniform_real_distribution<double> across(-o.vessel_radius, o.vessel_radius);
   std::uniform_real_distribution<double> up(0.0, o.height);
   std::vector<Rod> rods;
-  std::size_t tries = most_tries_per_rod * o.rods;
+  std::size_t tries = kMostTriesPerRod * o.rods;
   while (rods.size() < o.rods && tries-- > 0) {
     const Capsule rod{{{across(random), across(random), up(random)},
                        random_direction(random, o.flatness),
@@ -82,7 +82,7 @@ std::vector<Vec3> random_directions(std::size_t count, std::mt19937 &random)
 {
   std::normal_distribution<double> normal;
   std::vector<Vec3> axes;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; i++) {
     const Vec3 u{normal(random), normal(random), normal(random)};
     axes.push_back((1.0 / norm(u)) * u);
   }
@@ -93,7 +93,7 @@ std::vector<Vec3> even_directions(std::size_t count)
 {
   const double golden_angle = std::acos(-1.0) * (3.0 - std::sqrt(5.0));
   std::vector<Vec3> directions;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; i++) {
     const double z = 1.0 - 2.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
     const double across = std::sqrt(1.0 - z * z);
     const double turn = golden_angle * static_cast<double>(i);

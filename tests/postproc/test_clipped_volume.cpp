@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/numbers.h"
 #include "solid/clipped_volume.h"
 #include "io/rods.h"
 #include "solid/capsule_measures.h"
@@ -12,9 +13,8 @@
 namespace spherocylinder {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double tight = 1e-8;  // tolerance asked for
-constexpr double huge = 1e3;    // bounds of a cylinder that are out of reach of unit-size rods
+constexpr double kTight = 1e-8;  // tolerance asked for
+constexpr double kHuge = 1e3;    // bounds of a cylinder that are out of reach of unit-size rods
 
 Capsule rod(const Vec3 &centre, const Vec3 &direction, double half_length, double radius)
 {
@@ -27,7 +27,7 @@ void expect_volume(const BoundedVolume &found, double truth, double rod_volume)
 {
   EXPECT_LE(std::abs(found.value - truth), found.error + 1e-12 * rod_volume)
       << "value " << found.value << ", truth " << truth << ", bound " << found.error;
-  EXPECT_LE(found.error, tight * std::max(found.value, 1e-3 * rod_volume) * 1.01);
+  EXPECT_LE(found.error, kTight * std::max(found.value, 1e-3 * rod_volume) * 1.01);
 }
 
 // Independent slow method: midpoint sums over chords parallel to the axis, offset (rho, phi) inside
@@ -41,9 +41,9 @@ double volume_by_chords(const Capsule &capsule, const UprightCylinder &cylinder,
   const Vec3 e1 = (1.0 / norm(cross(u, side))) * cross(u, side);
   const Vec3 e2 = cross(u, e1);
   double sum = 0.0;
-  for (int i = 0; i < steps; ++i) {
+  for (int i = 0; i < steps; i++) {
     const double rho = capsule.radius * (i + 0.5) / steps;
-    for (int j = 0; j < steps; ++j) {
+    for (int j = 0; j < steps; j++) {
       const double phi = 2.0 * pi * (j + 0.5) / steps;
       const Vec3 p = c + (rho * std::cos(phi)) * e1 + (rho * std::sin(phi)) * e2;
       const double reach =
@@ -77,7 +77,7 @@ double volume_by_chords(const Capsule &capsule, const UprightCylinder &cylinder,
 TEST(ClippedVolume, WholeRodInsideIsExact)
 {
   const Capsule capsule = rod({0.1, -0.2, 0.3}, {1, 2, 3}, 0.5, 0.05);
-  const BoundedVolume found = clipped_volume(capsule, {0, 0, 2, -2, 2}, tight);
+  const BoundedVolume found = clipped_volume(capsule, {0, 0, 2, -2, 2}, kTight);
   // pi r^2 h + 4/3 pi r^3
   EXPECT_NEAR(found.value, pi * 0.0025 * 1.0 + 4.0 / 3.0 * pi * 0.000125, 1e-15);
   EXPECT_EQ(found.error, 0.0);
@@ -93,7 +93,7 @@ TEST(ClippedVolume, RodOutsideIsExactlyZero)
       rod({0, 1.3, 1.3}, {1, 0, 0}, 3.0, 0.4),  // past the rim, nearer than r to wall and top alone
   };
   for (const Capsule &capsule : outside) {
-    const BoundedVolume found = clipped_volume(capsule, cylinder, tight);
+    const BoundedVolume found = clipped_volume(capsule, cylinder, kTight);
     EXPECT_EQ(found.value, 0.0);
     EXPECT_EQ(found.error, 0.0);
   }
@@ -104,7 +104,7 @@ TEST(ClippedVolume, PlaneThroughTheCentreHalves)
 {
   for (const Vec3 &direction : even_directions(25)) {
     const Capsule capsule = rod({0.3, 0.1, 0.7}, direction, 0.4, 0.07);
-    expect_volume(clipped_volume(capsule, {0, 0, huge, 0.7, huge}, tight), 0.5 * volume(capsule),
+    expect_volume(clipped_volume(capsule, {0, 0, kHuge, 0.7, kHuge}, kTight), 0.5 * volume(capsule),
                   volume(capsule));
   }
 }
@@ -114,7 +114,7 @@ TEST(ClippedVolume, SphereCap)
 {
   const Capsule sphere = rod({0, 0, 0}, {1, 0, 1}, 0.0, 0.5);
   for (const double a : {0.001, 0.1, 0.5, 0.9})
-    expect_volume(clipped_volume(sphere, {0, 0, huge, 0.5 - a, huge}, tight),
+    expect_volume(clipped_volume(sphere, {0, 0, kHuge, 0.5 - a, kHuge}, kTight),
                   pi * a * a * (1.5 - a) / 3.0, volume(sphere));
 }
 
@@ -126,7 +126,7 @@ TEST(ClippedVolume, LyingRodCutByAPlane)
   const double segment = r * r * std::acos((r - a) / r) - (r - a) * std::sqrt(2 * r * a - a * a);
   const double truth = 2.0 * half * segment + pi * a * a * (3 * r - a) / 3.0;
   const Capsule capsule = rod({0.2, 0.3, 0.0}, {1, 1, 0}, half, r);
-  expect_volume(clipped_volume(capsule, {0, 0, huge, r - a, huge}, tight), truth, volume(capsule));
+  expect_volume(clipped_volume(capsule, {0, 0, kHuge, r - a, kHuge}, kTight), truth, volume(capsule));
 }
 
 // Standing rod on the axis of a thinner cylinder of radius R: pi R^2 h plus twice what a bore of
@@ -137,7 +137,7 @@ TEST(ClippedVolume, StandingRodAroundAThinnerCylinder)
   const double truth =
       pi * R * R * 2.0 * half + 4.0 * pi / 3.0 * (r * r * r - std::pow(r * r - R * R, 1.5));
   const Capsule capsule = rod({1, 2, 3}, {0, 0, 1}, half, r);
-  expect_volume(clipped_volume(capsule, {1, 2, R, -huge, huge}, tight), truth, volume(capsule));
+  expect_volume(clipped_volume(capsule, {1, 2, R, -kHuge, kHuge}, kTight), truth, volume(capsule));
 }
 
 // Standing rod, both round sections offset by d: the cylinder part shares the lens
@@ -149,7 +149,7 @@ TEST(ClippedVolume, StandingRodAcrossTheWallOfACylinder)
                       R * R * std::acos((d * d + R * R - r * r) / (2 * d * R)) -
                       0.5 * std::sqrt((-d + r + R) * (d + r - R) * (d - r + R) * (d + r + R));
   const Capsule capsule = rod({d * 0.6, d * 0.8, 0}, {0, 0, -1}, 3.0, r);
-  expect_volume(clipped_volume(capsule, {0, 0, R, -1.0, 1.5}, tight), 2.5 * lens, volume(capsule));
+  expect_volume(clipped_volume(capsule, {0, 0, R, -1.0, 1.5}, kTight), 2.5 * lens, volume(capsule));
 }
 
 // A sphere that the wall and the top cut both, at the rim: no closed form.
@@ -157,7 +157,7 @@ TEST(ClippedVolume, SphereAtTheEdgeAgainstChords)
 {
   const Capsule sphere = rod({1.02, 0.1, 0.95}, {0.3, 0.2, 1.0}, 0.0, 0.2);
   const UprightCylinder cylinder{0, 0, 1, 0, 1};
-  const BoundedVolume found = clipped_volume(sphere, cylinder, tight);
+  const BoundedVolume found = clipped_volume(sphere, cylinder, kTight);
   // 2000 x 2000 midpoints of a function with kinks: about 1e-6 of the sphere.
   EXPECT_NEAR(found.value, volume_by_chords(sphere, cylinder, 2000), 2e-6 * volume(sphere));
 }
@@ -203,10 +203,10 @@ TEST(ClippedVolume, SlabsAddUp)
 {
   for (const Vec3 &direction : even_directions(20)) {
     const Capsule capsule = rod({0.5, 0.2, 0.1}, direction, 0.6, 0.1);
-    const double lower = clipped_volume(capsule, {0, 0, 0.9, -huge, 0.15}, tight).value;
-    const double upper = clipped_volume(capsule, {0, 0, 0.9, 0.15, huge}, tight).value;
-    const double both = clipped_volume(capsule, {0, 0, 0.9, -huge, huge}, tight).value;
-    EXPECT_NEAR(lower + upper, both, 4.0 * tight * volume(capsule));
+    const double lower = clipped_volume(capsule, {0, 0, 0.9, -kHuge, 0.15}, kTight).value;
+    const double upper = clipped_volume(capsule, {0, 0, 0.9, 0.15, kHuge}, kTight).value;
+    const double both = clipped_volume(capsule, {0, 0, 0.9, -kHuge, kHuge}, kTight).value;
+    EXPECT_NEAR(lower + upper, both, 4.0 * kTight * volume(capsule));
   }
 }
 
@@ -215,13 +215,13 @@ TEST(ClippedVolume, ScalesWithTheScene)
 {
   const Capsule unit = rod({0.8, 0.3, 0.45}, {1, 0.5, 0.4}, 0.7, 0.06);
   const UprightCylinder cylinder{0.1, 0.05, 1, -0.5, 0.5};
-  const double truth = clipped_volume(unit, cylinder, tight).value;
+  const double truth = clipped_volume(unit, cylinder, kTight).value;
   for (const double s : {1e-6, 1e-3, 1.0, 1e3}) {
     const Capsule scaled = rod(s * unit.segment.centre, unit.segment.axis,
                                s * unit.segment.half_length, s * unit.radius);
     const UprightCylinder around{s * cylinder.x, s * cylinder.y, s, -0.5 * s, 0.5 * s};
-    EXPECT_NEAR(clipped_volume(scaled, around, tight).value, s * s * s * truth,
-                4.0 * tight * s * s * s * truth);
+    EXPECT_NEAR(clipped_volume(scaled, around, kTight).value, s * s * s * truth,
+                4.0 * kTight * s * s * s * truth);
   }
 }
 
@@ -254,9 +254,9 @@ double volume_by_chords(const Capsule &capsule, const UprightBox &box, int steps
   const Vec3 e1 = (1.0 / norm(cross(u, side))) * cross(u, side);
   const Vec3 e2 = cross(u, e1);
   double sum = 0.0;
-  for (int i = 0; i < steps; ++i) {
+  for (int i = 0; i < steps; i++) {
     const double rho = capsule.radius * (i + 0.5) / steps;
-    for (int j = 0; j < steps; ++j) {
+    for (int j = 0; j < steps; j++) {
       const double phi = 2.0 * pi * (j + 0.5) / steps;
       const Vec3 p =
           capsule.segment.centre + (rho * std::cos(phi)) * e1 + (rho * std::sin(phi)) * e2;
@@ -296,7 +296,7 @@ TEST(ClippedVolume, BoxesAgainstChords)
       const double whole = volume(capsule), slow = volume_by_chords(capsule, box, 60);
       EXPECT_NEAR(found.value, slow, 2e-3 * whole + found.error);
       EXPECT_LE(found.error, 1.01e-5 * std::max(found.value, 1e-3 * whole));
-      if (found.value > 0.0 && found.value < 0.999 * whole) ++cut;
+      if (found.value > 0.0 && found.value < 0.999 * whole) cut++;
     }
   }
   EXPECT_GT(cut, 200);
@@ -316,22 +316,22 @@ TEST(ClippedVolume, BoxesShareARod)
   for (const Vec3 &direction : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
     const Capsule capsule = rod({0.1, 0.2, 0.3}, direction, 0.4, 0.07);
     const double whole = volume(capsule);
-    expect(in_box(capsule, UprightBox(0.1, huge, -huge, huge, -huge, huge)), whole / 2);
-    expect(in_box(capsule, UprightBox(0.1, huge, -huge, 0.2, -huge, huge)), whole / 4);
-    expect(in_box(capsule, UprightBox(-huge, 0.1, -huge, 0.2, 0.3, huge)), whole / 8);
+    expect(in_box(capsule, UprightBox(0.1, kHuge, -kHuge, kHuge, -kHuge, kHuge)), whole / 2);
+    expect(in_box(capsule, UprightBox(0.1, kHuge, -kHuge, 0.2, -kHuge, kHuge)), whole / 4);
+    expect(in_box(capsule, UprightBox(-kHuge, 0.1, -kHuge, 0.2, 0.3, kHuge)), whole / 8);
   }
   for (const Vec3 &direction : even_directions(25)) {
     const Capsule capsule = rod({0.1, 0.2, 0.3}, direction, 0.4, 0.07);
     const double whole = volume(capsule);
-    expect(in_box(capsule, UprightBox(0.1, huge, -huge, huge, -huge, huge)), whole / 2);
-    expect(in_box(capsule, UprightBox(-huge, huge, 0.2, huge, -huge, huge)), whole / 2);
-    expect(in_box(capsule, UprightBox(-huge, huge, -huge, huge, 0.3, huge)), whole / 2);
+    expect(in_box(capsule, UprightBox(0.1, kHuge, -kHuge, kHuge, -kHuge, kHuge)), whole / 2);
+    expect(in_box(capsule, UprightBox(-kHuge, kHuge, 0.2, kHuge, -kHuge, kHuge)), whole / 2);
+    expect(in_box(capsule, UprightBox(-kHuge, kHuge, -kHuge, kHuge, 0.3, kHuge)), whole / 2);
     double sum = 0.0, error = 0.0;
-    for (const double x : {-huge, 0.15})
-      for (const double y : {-huge, 0.22})
-        for (const double z : {-huge, 0.27}) {
-          const UprightBox part(x, x < 0 ? 0.15 : huge, y, y < 0 ? 0.22 : huge, z,
-                                z < 0 ? 0.27 : huge);
+    for (const double x : {-kHuge, 0.15})
+      for (const double y : {-kHuge, 0.22})
+        for (const double z : {-kHuge, 0.27}) {
+          const UprightBox part(x, x < 0 ? 0.15 : kHuge, y, y < 0 ? 0.22 : kHuge, z,
+                                z < 0 ? 0.27 : kHuge);
           const BoundedVolume found = clipped_volume(capsule, part, 1e-5);
           sum += found.value;
           error += found.error;

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/numbers.h"
 #include "measures/close_pairs.h"
 #include "measures/contact_forces.h"
 #include "measures/contact_statistics.h"
@@ -22,8 +23,6 @@
 
 namespace spherocylinder {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Rod rod(const Vec3 &centre, const Vec3 &axis, double half_length, double radius)
 {
@@ -51,11 +50,11 @@ std::vector<Found> pairs_by_brute_force(const std::vector<Rod> &rods, const Peri
 {
   std::vector<Found> found;
   const auto images = [&](int d) { return box.side[d] > 0.0 ? 2 : 0; };
-  for (std::uint32_t i = 0; i < rods.size(); ++i)
-    for (std::uint32_t j = i + 1; j < rods.size(); ++j)
-      for (int x = -images(0); x <= images(0); ++x)
-        for (int y = -images(1); y <= images(1); ++y)
-          for (int z = -images(2); z <= images(2); ++z) {
+  for (std::uint32_t i = 0; i < rods.size(); i++)
+    for (std::uint32_t j = i + 1; j < rods.size(); j++)
+      for (int x = -images(0); x <= images(0); x++)
+        for (int y = -images(1); y <= images(1); y++)
+          for (int z = -images(2); z <= images(2); z++) {
             Segment moved = rods[j].capsule.segment;
             moved.centre =
                 moved.centre + Vec3{x * box.side[0], y * box.side[1], z * box.side[2]};
@@ -89,7 +88,7 @@ void expect_same_pairs(const std::vector<Rod> &rods, const Periodicity &box, dou
   EXPECT_GE(wanted.size(), least);
   ASSERT_EQ(found.size(), wanted.size());
   const double length = rods[0].capsule.length();
-  for (std::size_t k = 0; k < found.size(); ++k) {
+  for (std::size_t k = 0; k < found.size(); k++) {
     EXPECT_EQ(std::get<0>(found[k]), std::get<0>(wanted[k]));
     EXPECT_EQ(std::get<1>(found[k]), std::get<1>(wanted[k]));
     // Round-off of coordinates of the size of the box.
@@ -171,7 +170,7 @@ TEST(ClosePairs, OfRodsInOnePlace)
 TEST(ClosePairs, ParallelRodsComeOnce)
 {
   std::vector<Rod> rods;
-  for (int i = 0; i < 20; ++i)
+  for (int i = 0; i < 20; i++)
     rods.push_back(rod({0.01 * i, 0, 0.003 * (i % 4)}, {0, 0, 1}, 0.15, 0.005));
   EXPECT_EQ(close_pairs(rods, {}, 1e-6).size(), 19u);
   EXPECT_EQ(close_pairs(rods, {}, 0.0101).size(), 19u + 18u);
@@ -208,18 +207,18 @@ TEST(ClosePairs, BoxesThatAreTooSmall)
 // centre of the lower one.
 TEST(Contacts, OfAParallelLattice)
 {
-  constexpr int side = 6;
+  constexpr int kSide = 6;
   const double spacing = 0.00999, half = 0.1;
   std::vector<Rod> rods;
-  for (int x = 0; x < side; ++x)
-    for (int y = 0; y < side; ++y)
+  for (int x = 0; x < kSide; x++)
+    for (int y = 0; y < kSide; y++)
       rods.push_back(rod({spacing * x, spacing * y, 0.06 * ((x + y) % 2)}, {0, 0, 1}, half, 0.005));
   const auto pairs = close_pairs(rods, {}, 0.0);
-  EXPECT_EQ(pairs.size(), 2u * side * (side - 1));
+  EXPECT_EQ(pairs.size(), 2u * kSide * (kSide - 1));
   const auto numbers = pair_contact_numbers(rods.size(), pairs);
   EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 2u), 4);
-  EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 3u), 4 * (side - 2));
-  EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 4u), (side - 2) * (side - 2));
+  EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 3u), 4 * (kSide - 2));
+  EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 4u), (kSide - 2) * (kSide - 2));
   EXPECT_EQ(contact_kinds(rods, pairs).side_side.mean, 1.0);
   const auto positions = side_positions(rods, pairs);
   EXPECT_EQ(positions.size(), 2 * pairs.size());
@@ -227,7 +226,7 @@ TEST(Contacts, OfAParallelLattice)
   for (const double overlap : pair_overlaps(rods, pairs)) EXPECT_NEAR(overlap, 0.001, 1e-12);
 
   // The same lattice without an edge.
-  const auto periodic = close_pairs(rods, {{side * spacing, side * spacing, 0.0}}, 0.0);
+  const auto periodic = close_pairs(rods, {{kSide * spacing, kSide * spacing, 0.0}}, 0.0);
   EXPECT_EQ(pair_contact_numbers(rods.size(), periodic),
             std::vector<std::uint32_t>(rods.size(), 4u));
 }
@@ -236,21 +235,21 @@ TEST(Contacts, OfAParallelLattice)
 // and below, at the lattice's places.
 TEST(Contacts, OfCrossedLayers)
 {
-  constexpr int across = 5, layers = 4;
+  constexpr int kAcross = 5, kLayers = 4;
   const double spacing = 0.03, half = 0.075, radius = 0.005;
   std::vector<Rod> rods;
-  for (int layer = 0; layer < layers; ++layer)
-    for (int k = 0; k < across; ++k) {
+  for (int layer = 0; layer < kLayers; layer++)
+    for (int k = 0; k < kAcross; k++) {
       const double place = spacing * (k - 2);
       const bool along_x = layer % 2 == 0;
       rods.push_back(rod(along_x ? Vec3{0, place, 0.0099 * layer} : Vec3{place, 0, 0.0099 * layer},
                          along_x ? Vec3{1, 0, 0} : Vec3{0, -1, 0}, half, radius));
     }
   const auto pairs = close_pairs(rods, {}, 0.0);
-  EXPECT_EQ(pairs.size(), static_cast<std::size_t>(across * across * (layers - 1)));
+  EXPECT_EQ(pairs.size(), static_cast<std::size_t>(kAcross * kAcross * (kLayers - 1)));
   const auto numbers = pair_contact_numbers(rods.size(), pairs);
-  for (std::size_t k = 0; k < rods.size(); ++k)
-    EXPECT_EQ(numbers[k], k < across || k >= across * (layers - 1) ? 5u : 10u);
+  for (std::size_t k = 0; k < rods.size(); k++)
+    EXPECT_EQ(numbers[k], k < kAcross || k >= kAcross * (kLayers - 1) ? 5u : 10u);
   EXPECT_EQ(contact_kinds(rods, pairs).side_side.mean, 1.0);
   auto positions = side_positions(rods, pairs);
   std::sort(positions.begin(), positions.end());
@@ -315,8 +314,8 @@ TEST(Contacts, OfRodsThatKnowNothingOfEachOther)
   std::vector<double> sines;
   for (const ClosePair &pair : pairs)
     if (!at_end(pair.s, half) && !at_end(pair.t, half)) sines.push_back(pair.sin_gamma);
-  EXPECT_NEAR(isotropic_contact_sin_gamma, (2.0 / 3.0) / (pi / 4), 1e-15);
-  EXPECT_NEAR(mean_of(sines).mean, isotropic_contact_sin_gamma, 4 * mean_of(sines).error + 0.005);
+  EXPECT_NEAR(kIsotropicContactSinGamma, (2.0 / 3.0) / (pi / 4), 1e-15);
+  EXPECT_NEAR(mean_of(sines).mean, kIsotropicContactSinGamma, 4 * mean_of(sines).error + 0.005);
 }
 
 TEST(Contacts, WithWalls)
@@ -341,7 +340,7 @@ TEST(Contacts, WithWalls)
   EXPECT_FALSE(found[3].at_plus);
   const auto overlaps = wall_overlaps(rods, found);
   const double wanted[] = {1e-5, 1e-5, 2e-5, 3e-5, 4e-5, 4e-5, 5e-5};
-  for (std::size_t k = 0; k < 7; ++k) EXPECT_NEAR(overlaps[k], wanted[k] / (2 * r), 1e-12);
+  for (std::size_t k = 0; k < 7; k++) EXPECT_NEAR(overlaps[k], wanted[k] / (2 * r), 1e-12);
   // Without the cylinder only the floor counts.
   const Vessel floor{0, 0, std::numeric_limits<double>::infinity(), -0.3};
   EXPECT_EQ(wall_contacts(rods, floor, 0.0).size(), 4u);
@@ -383,11 +382,10 @@ TEST(ForceChains, AreWhatStrongContactsJoin)
 
 TEST(ResultTables, SeveralFilesBecomeOne)
 {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Column> columns{
-      {"edge", OverFiles::same},       {"count", OverFiles::sum},
-      {"part", OverFiles::mean},       {"part_error", OverFiles::error},
-      {"scatter", OverFiles::scatter}, {"most", OverFiles::largest}};
+      {"edge", OverFiles::Same},       {"count", OverFiles::Sum},
+      {"part", OverFiles::Mean},       {"part_error", OverFiles::Error},
+      {"scatter", OverFiles::Scatter}, {"most", OverFiles::Largest}};
   const Rows rows = combine_files(columns, {{{1, 10, 0.2, 9, 3, 5}},
                                             {{1, 20, 0.4, 9, 4, 7}, {2, 5, 0.7, 9, 1, 1}},
                                             {{1, 3, none, none, none, none}}});
@@ -401,7 +399,7 @@ TEST(ResultTables, SeveralFilesBecomeOne)
   EXPECT_EQ(rows[0][5], 7);
   EXPECT_EQ(rows[1][2], 0.7);
   EXPECT_TRUE(std::isnan(rows[1][3]));  // one file tells no error
-  EXPECT_TRUE(std::isnan(combine_files({{"step", OverFiles::same}}, {{{1}}, {{2}}})[0][0]));
+  EXPECT_TRUE(std::isnan(combine_files({{"step", OverFiles::Same}}, {{{1}}, {{2}}})[0][0]));
 }
 
 class LocalForcesTest : public ScratchFolder {
@@ -415,7 +413,7 @@ class LocalForcesTest : public ScratchFolder {
   }
 
   std::vector<ContactForce> read(const std::string &text, const std::string &keywords,
-                                 LocalKind kind = LocalKind::pairs)
+                                 LocalKind kind = LocalKind::Pairs)
   {
     DumpFrame frame;
     frame.path = "bed.dump";
@@ -457,7 +455,7 @@ TEST_F(LocalForcesTest, FindsItsColumns)
 
   // At a wall the rod's id is the third of id.
   const auto walls = read(local("c_w[3] c_w[4] c_w[5] c_w[6]", "8 0 0 4\n"), "id force",
-                          LocalKind::walls);
+                          LocalKind::Walls);
   ASSERT_EQ(walls.size(), 1u);
   EXPECT_EQ(walls[0].i, 2u);
   EXPECT_EQ(walls[0].force.z, 4.0);

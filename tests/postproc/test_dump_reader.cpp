@@ -18,12 +18,12 @@
 namespace spherocylinder {
 namespace {
 
-const std::string header =
+const std::string kHeader =
     "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n-1 1\n-1 1\n0 10\n";
-const std::string columns =
+const std::string kColumns =
     "ITEM: ATOMS id type x y z shapex shapey shapez quat1 quat2 quat3 quat4 \n";
-const std::string row1 = "1 1 0 0 0.5 0.01 0.01 0.1 1 0 0 0 \n";
-const std::string row2 = "2 3 0.1 0.2 0.3 0.01 0.01 0.1 0.707107 0 0.707107 0 \n";
+const std::string kRow1 = "1 1 0 0 0.5 0.01 0.01 0.1 1 0 0 0 \n";
+const std::string kRow2 = "2 3 0.1 0.2 0.3 0.01 0.01 0.1 0.707107 0 0.707107 0 \n";
 
 // Compressed by zlib in the format of gzip(1).
 std::string gzip(const std::string &text, const std::string &path)
@@ -73,7 +73,7 @@ class DumpReaderTest : public ScratchFolder {
 
 TEST_F(DumpReaderTest, ReadsRods)
 {
-  const auto found = rods(header + columns + row1 + row2);
+  const auto found = rods(kHeader + kColumns + kRow1 + kRow2);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].id, 1);
   EXPECT_EQ(found[1].type, 3);
@@ -90,20 +90,20 @@ TEST_F(DumpReaderTest, ReadsEntries)
   const std::string text =
       "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS pp ff ff\n-1 1\n-1 1\n0 1\n"
       "ITEM: ENTRIES c_pairs[1] c_pairs[2] \n4 0.5 \n4 0.5 \n";
-  DumpReader reader(write("a.local", text), DumpKind::entries);
+  DumpReader reader(write("a.local", text), DumpKind::Entries);
   DumpFrame frame;
   ASSERT_TRUE(reader.next(frame));
   EXPECT_EQ(frame.rows, 2u);
   EXPECT_EQ(frame.value(1, 1), 0.5);
   EXPECT_FALSE(reader.next(frame));
   expect_error(text, ":3: ", "wanted 'ITEM: NUMBER OF ATOMS'");
-  DumpReader cut(write("a.local", text.substr(0, text.size() - 7)), DumpKind::entries);
+  DumpReader cut(write("a.local", text.substr(0, text.size() - 7)), DumpKind::Entries);
   EXPECT_THROW(cut.next(frame), InputError);
 }
 
 TEST_F(DumpReaderTest, ColumnsInAnyOrderAndExtraOnes)
 {
-  const DumpFrame frame = frame_of(header +
+  const DumpFrame frame = frame_of(kHeader +
                                    "ITEM: ATOMS quat4 c_contacts element z y x shapez quat1 quat3 "
                                    "quat2 shapex id\n0 4 Al 3 2 1 0.1 1 0 0 0.01 5\n"
                                    "0 6 Fe 3 2 1 0.1 1 0 0 0.01 6\n");
@@ -118,7 +118,7 @@ TEST_F(DumpReaderTest, ColumnsInAnyOrderAndExtraOnes)
 
 TEST_F(DumpReaderTest, CarriageReturnsTabsBlankEndsAndTime)
 {
-  std::string text = header + "ITEM: TIME\n0.25\n" + columns + row1 + row2 + "\n\n";
+  std::string text = kHeader + "ITEM: TIME\n0.25\n" + kColumns + kRow1 + kRow2 + "\n\n";
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
     text.insert(at, "\r");
   const DumpFrame frame = frame_of(text);
@@ -131,7 +131,7 @@ TEST_F(DumpReaderTest, CarriageReturnsTabsBlankEndsAndTime)
 
 TEST_F(DumpReaderTest, GzipIsToldByItsBytesNotItsName)
 {
-  const std::string text = header + columns + row1 + row2;
+  const std::string text = kHeader + kColumns + kRow1 + kRow2;
   const std::string packed = gzip(text, path("packed"));
   ASSERT_EQ(packed.substr(0, 2), "\x1f\x8b");
   EXPECT_EQ(rods(packed)[1].capsule.segment.centre.y, 0.2);
@@ -142,7 +142,7 @@ TEST_F(DumpReaderTest, GzipIsToldByItsBytesNotItsName)
   expect_error(damaged, ":", "other bytes follow the compressed data");
   EXPECT_EQ(DumpReader(write("plain.gz", text)).next(*std::make_unique<DumpFrame>()), true);
   // Cut anywhere behind the two bytes that make it gzip, it gives an error.
-  for (std::size_t length = 2; length < packed.size(); ++length)
+  for (std::size_t length = 2; length < packed.size(); length++)
     EXPECT_NE(error(packed.substr(0, length)), "no error") << length;
   expect_error(packed.substr(0, packed.size() - 12), ":", "cannot be read any further: unexpected");
   std::string spoilt = packed;
@@ -154,15 +154,15 @@ TEST_F(DumpReaderTest, GzipIsToldByItsBytesNotItsName)
 // place, and an error far down has its own line.
 TEST_F(DumpReaderTest, ManyBlocks)
 {
-  constexpr int count = 200000;
+  constexpr int kCount = 200000;
   std::string text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n200000\nITEM: BOX BOUNDS ff ff ff\n"
                      "0 1\n0 1\n0 1\nITEM: ATOMS x id half element\n";
-  for (int i = 1; i <= count; ++i) text += fmt::format("{} {} {} Al\n", 0.5 * i, i, i / 2);
+  for (int i = 1; i <= kCount; i++) text += fmt::format("{} {} {} Al\n", 0.5 * i, i, i / 2);
   ASSERT_GT(text.size(), std::size_t{1} << 22);
   const DumpFrame frame = frame_of(text);
   ASSERT_EQ(frame.rows, 200000u);
   ASSERT_EQ(frame.values.size(), 600000u);
-  for (int i = 1; i <= count; ++i) {
+  for (int i = 1; i <= kCount; i++) {
     ASSERT_EQ(frame.value(i - 1, 0), 0.5 * i);
     ASSERT_EQ(frame.value(i - 1, 1), i);
     ASSERT_EQ(frame.value(i - 1, 2), i / 2);
@@ -171,7 +171,7 @@ TEST_F(DumpReaderTest, ManyBlocks)
     std::string spoilt = text;
     return spoilt.replace(spoilt.find("\n" + row + "\n") + 1, row.size(), bad);
   };
-  for (int i = 20000; i < count; i += 20000) {
+  for (int i = 20000; i < kCount; i += 20000) {
     const std::string row = fmt::format("{} {} {} Al", i / 2, i, i / 2);
     expect_error(spoil(row, fmt::format("{} {} nan Al", i / 2, i)), fmt::format(":{}: ", i + 9),
                  fmt::format("atom line {}: column 'half' is 'nan'", i));
@@ -185,7 +185,7 @@ TEST_F(DumpReaderTest, ManyBlocks)
 TEST_F(DumpReaderTest, BoundaryFlags)
 {
   const auto with = [&](const std::string &flags) {
-    std::string text = header + columns + row1 + row2;
+    std::string text = kHeader + kColumns + kRow1 + kRow2;
     return text.replace(text.find(" ff ff ff"), 9, flags);
   };
   using Flags = std::array<bool, 3>;
@@ -201,7 +201,7 @@ TEST_F(DumpReaderTest, BoundaryFlags)
 
 TEST_F(DumpReaderTest, ScaledCoordinates)
 {
-  const auto found = rods(header +
+  const auto found = rods(kHeader +
                           "ITEM: ATOMS id xs ys zs shapex shapez quat1 quat2 quat3 quat4\n"
                           "1 0.5 0.25 0.1 0.01 0.1 1 0 0 0\n2 0 0 0 0.01 0.1 1 0 0 0\n");
   EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.x, 0.0);  // box -1 to 1
@@ -211,7 +211,7 @@ TEST_F(DumpReaderTest, ScaledCoordinates)
 
 TEST_F(DumpReaderTest, UnwrappedCoordinates)
 {
-  const auto found = rods(header +
+  const auto found = rods(kHeader +
                           "ITEM: ATOMS id xu ysu zu shapex shapez quat1 quat2 quat3 quat4\n"
                           "1 1.5 -0.25 11 0.01 0.1 1 0 0 0\n2 0 0 0 0.01 0.1 1 0 0 0\n");
   EXPECT_EQ(found[0].capsule.segment.centre.x, 1.5);
@@ -224,7 +224,7 @@ TEST_F(DumpReaderTest, TiltedBox)
   const std::string head =
       "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp ff\n"
       "-1 1 0.2\n-1 1 0\n0 10 0\n";
-  const DumpFrame frame = frame_of(head + columns + row1);
+  const DumpFrame frame = frame_of(head + kColumns + kRow1);
   EXPECT_TRUE(frame.box_is_tilted);
   EXPECT_EQ(frame.periodic, (std::array<bool, 3>{true, true, false}));
   expect_error(head + "ITEM: ATOMS id xs ys zs shapex shapez quat1 quat2 quat3 quat4\n"
@@ -235,7 +235,7 @@ TEST_F(DumpReaderTest, TiltedBox)
 TEST_F(DumpReaderTest, SixDigitsAreEnough)
 {
   // A norm off by 5e-4 is renormalised; shapez a digit below shapex is a sphere.
-  const auto found = rods(header + columns + "1 1 0 0 0 0.01 0.01 0.00999999 0.7075 0.7075 0 0\n" +
+  const auto found = rods(kHeader + kColumns + "1 1 0 0 0 0.01 0.01 0.00999999 0.7075 0.7075 0 0\n" +
                           "2 1 0 0 0 0.01 0.01 0.01 1 0 0 0\n");
   EXPECT_NEAR(norm(found[0].capsule.segment.axis), 1.0, 1e-15);
   EXPECT_TRUE(found[0].is_sphere());
@@ -249,7 +249,7 @@ TEST_F(DumpReaderTest, WhatIsWrittenIsReadBack)
   const auto bed = random_bed(options);
   const auto found = rods(dump_text(bed, 3));
   ASSERT_EQ(found.size(), bed.size());
-  for (std::size_t i = 0; i < bed.size(); ++i) {
+  for (std::size_t i = 0; i < bed.size(); i++) {
     // Six digits of numbers up to 1.
     EXPECT_NEAR(std::abs(dot(found[i].capsule.segment.axis, bed[i].capsule.segment.axis)), 1.0,
                 1e-5);
@@ -300,13 +300,13 @@ TEST_F(DumpReaderTest, NotADump)
 
 TEST_F(DumpReaderTest, CutOff)
 {
-  const std::string whole = header + columns + row1 + row2;
-  expect_error(header + columns + row1, ":10: ", "the file ends after 1 atoms of step 7, wanted 2");
-  expect_error(header + columns, ":9: ", "the file ends after 0 atoms of step 7, wanted 2");
-  expect_error(header, ":8: ", "the file ends here, wanted an 'ITEM:' line");
+  const std::string whole = kHeader + kColumns + kRow1 + kRow2;
+  expect_error(kHeader + kColumns + kRow1, ":10: ", "the file ends after 1 atoms of step 7, wanted 2");
+  expect_error(kHeader + kColumns, ":9: ", "the file ends after 0 atoms of step 7, wanted 2");
+  expect_error(kHeader, ":8: ", "the file ends here, wanted an 'ITEM:' line");
   expect_error("ITEM: TIMESTEP\n", ":1: ", "wanted the time step");
   // Cut anywhere, the file gives an error and no frame.
-  for (std::size_t length = 0; length < whole.size(); ++length)
+  for (std::size_t length = 0; length < whole.size(); length++)
     EXPECT_NE(error(whole.substr(0, length)), "no error") << length;
   // A second frame that is cut does not pass for the end either.
   for (std::size_t length = 1; length < whole.size(); length += 7)
@@ -315,25 +315,25 @@ TEST_F(DumpReaderTest, CutOff)
 
 TEST_F(DumpReaderTest, WrongCounts)
 {
-  expect_error(header + columns + row1 + header + columns + row1 + row2,
+  expect_error(kHeader + kColumns + kRow1 + kHeader + kColumns + kRow1 + kRow2,
                ":11: ", "step 7 has 1 atom lines, wanted 2");
-  expect_error(header + columns + row1 + row2 + "3" + row1.substr(1),
+  expect_error(kHeader + kColumns + kRow1 + kRow2 + "3" + kRow1.substr(1),
                ":12: ", "wanted 'ITEM: TIMESTEP' or the end of the file");
-  expect_error(header + columns + "1 2 3\n" + row2, ":10: ", "too few words, wanted 12");
-  expect_error(header + columns + row1.substr(0, row1.size() - 1) + "9\n" + row2,
+  expect_error(kHeader + kColumns + "1 2 3\n" + kRow2, ":10: ", "too few words, wanted 12");
+  expect_error(kHeader + kColumns + kRow1.substr(0, kRow1.size() - 1) + "9\n" + kRow2,
                ":10: ", "too many words, wanted 12");
   expect_error("ITEM: TIMESTEP\nten\n", ":2: ", "the time step is 'ten'");
   expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n-3\n",
                ":4: ", "the number of atoms is '-3', wanted a whole number >= 0");
   expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n9999999999999999999999\n", ":4: ", "");
-  expect_error("ITEM: TIMESTEP\n0\n" + columns, ":3: ", "came before 'ITEM: NUMBER OF ATOMS'");
-  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n" + columns,
+  expect_error("ITEM: TIMESTEP\n0\n" + kColumns, ":3: ", "came before 'ITEM: NUMBER OF ATOMS'");
+  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n" + kColumns,
                ":5: ", "came before 'ITEM: BOX BOUNDS'");
   // A promise of more atoms than any memory holds is not believed.
   expect_error(
       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4000000000000000000\nITEM: BOX BOUNDS ff "
       "ff ff\n0 1\n0 1\n0 1\n" +
-          columns + row1,
+          kColumns + kRow1,
       ":10: ", "ends after 1 atoms");
 }
 
@@ -351,18 +351,18 @@ TEST_F(DumpReaderTest, BadBox)
 TEST_F(DumpReaderTest, MissingColumnsAreNamed)
 {
   for (const std::string name : {"id", "x", "z", "shapex", "shapez", "quat1", "quat4"}) {
-    std::string names = columns;
+    std::string names = kColumns;
     names.replace(names.find(" " + name + " "), name.size() + 2, " other ");
-    expect_error(header + names + row1 + row2, ":9: ", "column '" + name + "' is missing");
+    expect_error(kHeader + names + kRow1 + kRow2, ":9: ", "column '" + name + "' is missing");
   }
-  std::string twice = columns;
+  std::string twice = kColumns;
   twice.replace(twice.find("type"), 4, "x");
-  expect_error(header + twice + row1 + row2, ":9: ", "column 'x' appears twice");
+  expect_error(kHeader + twice + kRow1 + kRow2, ":9: ", "column 'x' appears twice");
 }
 
 TEST_F(DumpReaderTest, BadNumbers)
 {
-  const auto with = [&](const std::string &row) { return header + columns + row1 + row; };
+  const auto with = [&](const std::string &row) { return kHeader + kColumns + kRow1 + row; };
   expect_error(with("2 1 nan 0 0 0.01 0.01 0.1 1 0 0 0\n"),
                ":11: ", "column 'x' is 'nan', wanted a finite number");
   expect_error(with("2 1 0 -inf 0 0.01 0.01 0.1 1 0 0 0\n"), ":11: ", "column 'y' is '-inf'");
@@ -390,7 +390,7 @@ TEST_F(DumpReaderTest, BadNumbers)
 TEST_F(DumpReaderTest, TinyNumbers)
 {
   const auto found =
-      rods(header + columns + row1 + "2 1 1e-310 -4.94066e-324 0 1e-2 .01 0.1 1 0 0 0\n");
+      rods(kHeader + kColumns + kRow1 + "2 1 1e-310 -4.94066e-324 0 1e-2 .01 0.1 1 0 0 0\n");
   EXPECT_EQ(found[1].capsule.segment.centre.x, 1e-310);
   EXPECT_LT(found[1].capsule.segment.centre.y, 0.0);
 }
@@ -402,12 +402,12 @@ TEST_F(DumpReaderTest, FuzzCorpus)
   std::size_t files = 0, good = 0;
   for (const auto &entry : std::filesystem::directory_iterator(CORPUS_FOLDER)) {
     if (entry.path().filename() == ".gitattributes") continue;
-    ++files;
+    files++;
     good += read_dump_bytes(entry.path().string()).empty();
     read_bytes(entry.path().string());
   }
   const std::string corpus = CORPUS_FOLDER;
-  EXPECT_EQ(read_local_bytes(corpus + "/local", LocalKind::pairs), "");
+  EXPECT_EQ(read_local_bytes(corpus + "/local", LocalKind::Pairs), "");
   EXPECT_GE(files, 15u);
   EXPECT_GE(good, 6u);  // plain, two_steps, crlf, gzip, tilted, scaled, no_atoms
   EXPECT_GE(files - good, 7u);
@@ -427,7 +427,7 @@ TEST_F(DumpReaderTest, Quantities)
   EXPECT_EQ(id.values[4], 5.0);
   // Of 1 to 20 in any order the two lowest and the two highest are left out.
   id.values.clear();
-  for (int i = 0; i < 20; ++i) id.values.push_back(1 + (7 * i) % 20);
+  for (int i = 0; i < 20; i++) id.values.push_back(1 + (7 * i) % 20);
   set_range_of_most(id);
   EXPECT_EQ(id.low, 3.0);
   EXPECT_EQ(id.high, 18.0);

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "core/numbers.h"
 #include "io/dump_reader.h"
 #include "io/frame_columns.h"
 #include "io/glued_rods.h"
@@ -26,8 +27,6 @@
 
 namespace spherocylinder {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 double distance(const Vec3 &a, const Vec3 &b)
 {
@@ -138,7 +137,7 @@ std::string body_dump(const std::vector<Vec3> &places, const std::string &box = 
       "ITEM: TIMESTEP\n3\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS {}\n-50 50\n-50 50\n-50 "
       "50\nITEM: ATOMS id mol x y z radius\n",
       places.size(), box);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); i++)
     text += fmt::format("{} 4 {} {} {} 1\n", i + 1, places[i].x, places[i].y, places[i].z);
   return text;
 }
@@ -156,7 +155,7 @@ TEST_F(Multisphere, SpheresOfASpacing)
   }
   const auto places = sphere_places(0.3, 4);
   ASSERT_EQ(places.size(), 4u);
-  for (int k = 0; k < 4; ++k) EXPECT_NEAR(places[k], -0.3 + 0.2 * k, 1e-15);
+  for (int k = 0; k < 4; k++) EXPECT_NEAR(places[k], -0.3 + 0.2 * k, 1e-15);
 }
 
 // Spheres at any place of the rod's own line give the rod back, whatever the order of the rows.
@@ -167,7 +166,7 @@ TEST_F(Multisphere, SpheresOfRigidRodsGiveThemBack)
     for (const std::string places : {"", "u"}) {
       const auto found = glued(sphere_dump(rods, count, places, true));
       ASSERT_EQ(found.size(), rods.size());
-      for (std::size_t i = 0; i < rods.size(); ++i) {
+      for (std::size_t i = 0; i < rods.size(); i++) {
         const Segment &a = found[i].rod.capsule.segment, &b = rods[i].rod.capsule.segment;
         EXPECT_EQ(found[i].rod.id, rods[i].rod.id);
         EXPECT_EQ(found[i].rod.type, rods[i].rod.type);
@@ -197,7 +196,7 @@ TEST_F(Multisphere, BondedSpheresTurnAsTheirPlaces)
   const Vec3 spin{3.0, -1.0, 2.0};
   const auto found = glued(sphere_dump(rods, {{40}, {}}, "", false, spin));
   ASSERT_EQ(found.size(), rods.size());
-  for (std::size_t i = 0; i < rods.size(); ++i)
+  for (std::size_t i = 0; i < rods.size(); i++)
     EXPECT_LT(distance(found[i].omega, rods[i].omega), 1e-11);
 }
 
@@ -205,7 +204,7 @@ TEST_F(Multisphere, BondedSpheresTurnAsTheirPlaces)
 TEST_F(Multisphere, RodsLongerThanHalfThePeriod)
 {
   std::vector<Vec3> places;
-  for (int k = 0; k < 61; ++k) places.push_back({k * 1.4 - 20.0, 0.0, 0.0});
+  for (int k = 0; k < 61; k++) places.push_back({k * 1.4 - 20.0, 0.0, 0.0});
   for (Vec3 &x : places) x.x -= 100.0 * std::floor((x.x + 50.0) / 100.0);
   const auto found = glued(body_dump(places, "pp pp pp"));
   ASSERT_EQ(found.size(), 1u);
@@ -221,7 +220,7 @@ TEST_F(Multisphere, BentRodsAreOffByTheArc)
   const int n = 21;
   std::vector<Vec3> places;
   double mean = 0.0;
-  for (int k = 0; k < n; ++k) {
+  for (int k = 0; k < n; k++) {
     const double a = half_angle * (2.0 * k / (n - 1) - 1.0);
     places.push_back({R * std::sin(a), R * (std::cos(a) - 1.0), 0.0});
     mean += places.back().y / n;
@@ -296,7 +295,7 @@ TEST_F(Multisphere, TemplatesHaveTheRodsMassAndInertia)
   const auto number_after = [&](const std::string &words, int which) {
     std::string_view rest = std::string_view(text).substr(text.find(words) + words.size());
     double number = 0.0;
-    for (int i = 0; i <= which; ++i) {
+    for (int i = 0; i <= which; i++) {
       std::size_t length = 0;
       number = std::stod(std::string(rest), &length);
       rest.remove_prefix(length);
@@ -375,7 +374,7 @@ TEST_F(Multisphere, RodsComeBackFromStockLiggghts)
   ASSERT_EQ(after.size(), 1u);
   const auto a = rods_of(before[0]), b = rods_of(after[0]);
   ASSERT_EQ(b.size(), a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (std::size_t i = 0; i < a.size(); i++) {
     EXPECT_EQ(a[i].id, b[i].id);
     EXPECT_EQ(a[i].type, b[i].type);
     Vec3 d = a[i].capsule.segment.centre - b[i].capsule.segment.centre;
@@ -388,7 +387,7 @@ TEST_F(Multisphere, RodsComeBackFromStockLiggghts)
        {std::array<std::string, 3>{"vx", "vy", "vz"}, {"omegax", "omegay", "omegaz"}}) {
     const VectorColumns motion_before(before[0], names), motion_after(after[0], names);
     ASSERT_TRUE(motion_after.are_there());
-    for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t i = 0; i < a.size(); i++)
       EXPECT_LT(distance(motion_before.of(i), motion_after.of(i)), 1e-9);
   }
   for (const char *tool : {"rod_packing back.dump --box -0.5 0.5 -0.5 0.5 -1 1",

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/numbers.h"
 #include "measures/orientation_statistics.h"
 #include "measures/packing_theory.h"
 #include "test_bed.h"
@@ -12,13 +13,11 @@
 namespace spherocylinder {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // Directions at even angles in the horizontal plane.
 std::vector<Vec3> horizontal_directions(std::size_t count)
 {
   std::vector<Vec3> axes;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; i++) {
     const double angle = pi * static_cast<double>(i) / static_cast<double>(count);
     axes.push_back({std::cos(angle), std::sin(angle), 0.0});
   }
@@ -30,13 +29,13 @@ std::vector<Vec3> horizontal_directions(std::size_t count)
 TEST(Orientation, EvenDirectionsAreIsotropic)
 {
   const auto axes = even_directions(4000);
-  EXPECT_NEAR(isotropic_mean_elevation, pi / 2 - 1, 1e-15);
+  EXPECT_NEAR(kIsotropicMeanElevation, pi / 2 - 1, 1e-15);
   EXPECT_NEAR(mean_elevation(axes).mean, pi / 2 - 1, 1e-3);
   EXPECT_NEAR(mean_abs_uz(axes).mean, 0.5, 1e-3);
   EXPECT_NEAR(mean_uz_squared(axes).mean, 1.0 / 3.0, 1e-3);
   EXPECT_NEAR(nematic_order(axes).order, 0.0, 1e-3);
-  EXPECT_NEAR(mean_sin_gamma(axes), isotropic_sin_gamma, 1e-3);
-  for (const ElevationBin &bin : elevation_histogram(axes, 20, BinSpacing::equal_solid_angle)) {
+  EXPECT_NEAR(mean_sin_gamma(axes), kIsotropicSinGamma, 1e-3);
+  for (const ElevationBin &bin : elevation_histogram(axes, 20, BinSpacing::EqualSolidAngle)) {
     EXPECT_NEAR(bin.isotropic_fraction, 0.05, 1e-12);
     EXPECT_NEAR(bin.part.mean, 0.05, 1e-3);
     EXPECT_NEAR(bin.density().mean, 1.0, 0.02);
@@ -51,8 +50,8 @@ TEST(Orientation, HorizontalDirections)
   EXPECT_EQ(mean_elevation(axes).error, 0.0);
   EXPECT_NEAR(nematic_order(axes).order, -0.5, 1e-12);
   EXPECT_NEAR(nematic_order(axes).director.z, 1.0, 1e-12);
-  EXPECT_NEAR(mean_sin_gamma(axes), horizontal_sin_gamma, 1e-3);
-  const auto bins = elevation_histogram(axes, 9, BinSpacing::equal_angle);
+  EXPECT_NEAR(mean_sin_gamma(axes), kHorizontalSinGamma, 1e-3);
+  const auto bins = elevation_histogram(axes, 9, BinSpacing::EqualAngle);
   EXPECT_EQ(bins.front().count, 1000u);
   EXPECT_EQ(bins.back().count, 0u);
   EXPECT_GT(bins.back().part.error, 0.0);  // an empty bin is not certain
@@ -63,7 +62,7 @@ TEST(Orientation, ParallelDirections)
 {
   const Vec3 u{0.48, 0.6, 0.64};
   std::vector<Vec3> axes(10, u);
-  for (std::size_t i = 0; i < 5; ++i) axes[i] = -u;
+  for (std::size_t i = 0; i < 5; i++) axes[i] = -u;
   const NematicOrder found = nematic_order(axes);
   EXPECT_NEAR(found.order, 1.0, 1e-12);
   EXPECT_NEAR(dot(found.director, u), 1.0, 1e-12);
@@ -75,7 +74,7 @@ TEST(Orientation, HistogramEdges)
 {
   // Horizontal falls in the first bin, vertical in the last; sin(elevation) = 0.5 is an edge.
   const std::vector<Vec3> axes{{1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {std::sqrt(0.75), 0, 0.5001}};
-  const auto bins = elevation_histogram(axes, 2, BinSpacing::equal_solid_angle);
+  const auto bins = elevation_histogram(axes, 2, BinSpacing::EqualSolidAngle);
   EXPECT_NEAR(bins[0].high, pi / 6, 1e-12);  // asin(1/2)
   EXPECT_EQ(bins[0].count, 1u);
   EXPECT_EQ(bins[1].count, 3u);
@@ -111,7 +110,7 @@ TEST(Orientation, OrderOfACone)
   const Vec3 n{0.48, 0.6, 0.64}, v{0.8, 0.0, -0.6}, w = cross(n, v);
   for (const double a : {0.0, 0.3, 0.8, 1.2, 0.5 * pi}) {
     std::vector<Vec3> axes;
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < 60; k++) {
       const double phi = 2.0 * pi * k / 60;
       axes.push_back(std::cos(a) * n + std::sin(a) * (std::cos(phi) * v + std::sin(phi) * w));
     }
@@ -133,11 +132,11 @@ TEST(Orientation, OrderOfACone)
 TEST(Orientation, SquaredOrderHasNoBias)
 {
   std::mt19937 random(20220101);
-  constexpr std::size_t axes = 40, draws = 4000;
+  constexpr std::size_t kAxes = 40, kDraws = 4000;
   for (const double aligned : {0.0, 0.5}) {
     std::vector<double> squared, raw;
-    for (std::size_t k = 0; k < draws; ++k) {
-      const auto set = partly_aligned(axes, aligned, {0.48, 0.6, 0.64}, random);
+    for (std::size_t k = 0; k < kDraws; k++) {
+      const auto set = partly_aligned(kAxes, aligned, {0.48, 0.6, 0.64}, random);
       squared.push_back(unbiased_squared_order(set));
       raw.push_back(std::pow(nematic_order(set).order, 2));
     }
@@ -145,9 +144,9 @@ TEST(Orientation, SquaredOrderHasNoBias)
     EXPECT_NEAR(found.mean, aligned * aligned, 4.0 * found.error) << aligned;
     EXPECT_LT(found.error, 0.003) << aligned;
     if (aligned > 0.0) continue;
-    EXPECT_GT(mean_of(raw).mean, 0.5 / axes);
+    EXPECT_GT(mean_of(raw).mean, 0.5 / kAxes);
     // The scatter of a scatter: 1/sqrt(2 draws) and some for the long tail.
-    EXPECT_NEAR(found.error * std::sqrt(draws) / isotropic_scatter_of_squared_order(axes), 1.0,
+    EXPECT_NEAR(found.error * std::sqrt(kDraws) / isotropic_scatter_of_squared_order(kAxes), 1.0,
                 0.08);
   }
 }
@@ -157,11 +156,11 @@ TEST(Orientation, SquaredOrderHasNoBias)
 TEST(Orientation, ErrorsAreTheScatter)
 {
   std::mt19937 random(20220102);
-  constexpr std::size_t axes = 60, draws = 1500;
+  constexpr std::size_t kAxes = 60, kDraws = 1500;
   for (const double aligned : {0.0, 0.6}) {
     std::vector<double> order, order_error, heading, heading_error, sine, sine_variance;
-    for (std::size_t k = 0; k < draws; ++k) {
-      const auto set = partly_aligned(axes, aligned, {0.6, 0.8, 0.0}, random);
+    for (std::size_t k = 0; k < kDraws; k++) {
+      const auto set = partly_aligned(kAxes, aligned, {0.6, 0.8, 0.0}, random);
       order.push_back(nematic_order(set).order);
       order_error.push_back(nematic_order(set).error);
       heading.push_back(azimuthal_order(set).order);
@@ -171,7 +170,7 @@ TEST(Orientation, ErrorsAreTheScatter)
       sine_variance.push_back(sin_gamma.error * sin_gamma.error);
     }
     const auto scatter = [&](const std::vector<double> &values) {
-      return mean_of(values).error * std::sqrt(static_cast<double>(draws));
+      return mean_of(values).error * std::sqrt(static_cast<double>(kDraws));
     };
     // Where nothing is aligned the variance estimate is cut off at its smallest value, so that it
     // is up to a third too large there.
@@ -212,7 +211,7 @@ TEST(Orientation, RadialOrder)
 {
   for (const auto &[turn, wanted] : {std::pair{0.0, 1.0}, {0.5 * pi, -1.0}, {0.25 * pi, 0.0}}) {
     std::vector<Rod> rods;
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 12; k++) {
       const double phi = 2.0 * pi * k / 12 + 0.1;
       const Vec3 centre{1 + std::cos(phi), 2 + std::sin(phi), 0.3};
       const Vec3 axis{0.6 * std::cos(phi + turn), 0.6 * std::sin(phi + turn), 0.8};
@@ -227,7 +226,7 @@ TEST(Orientation, RadialOrder)
 TEST(Orientation, PartOfManyAxesStandsForAll)
 {
   const auto axes = even_directions(4000);
-  EXPECT_NEAR(mean_sin_gamma(axes, 1000), isotropic_sin_gamma, 5e-3);
+  EXPECT_NEAR(mean_sin_gamma(axes, 1000), kIsotropicSinGamma, 5e-3);
   EXPECT_EQ(mean_sin_gamma({{0, 0, 1}}), 0.0);
   EXPECT_TRUE(std::isnan(sin_gamma_of_pairs({{0, 0, 1}}).mean));
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/numbers.h"
 #include "solid/overlap_volume.h"
 #include "io/rods.h"
 #include "solid/capsule_measures.h"
@@ -14,8 +15,7 @@
 namespace spherocylinder {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double tight = 1e-6;
+constexpr double kTight = 1e-6;
 
 Capsule rod(const Vec3 &centre, const Vec3 &direction, double half_length, double radius)
 {
@@ -77,8 +77,8 @@ double volume_by_lines(const Capsule &a, const Capsule &b, double size, int step
   const Vec3 e1 = (1.0 / norm(cross(n, side))) * cross(n, side), e2 = cross(n, e1);
   const double step = 2.0 * size / steps;
   double sum = 0.0;
-  for (int i = 0; i < steps; ++i)
-    for (int j = 0; j < steps; ++j) {
+  for (int i = 0; i < steps; i++)
+    for (int j = 0; j < steps; j++) {
       const Vec3 at = p + (step * (i + 0.5) - size) * e1 + (step * (j + 0.5) - size) * e2;
       const Interval in_a = piece_inside(a, at, n), in_b = piece_inside(b, at, n);
       sum += std::max(std::min(in_a.high, in_b.high) - std::max(in_a.low, in_b.low), 0.0);
@@ -89,17 +89,17 @@ double volume_by_lines(const Capsule &a, const Capsule &b, double size, int step
 void expect_volume(const Capsule &a, const Capsule &b, double truth)
 {
   for (const auto &[i, j] : {std::pair{a, b}, std::pair{b, a}}) {
-    const BoundedVolume found = overlap_volume(i, j, tight);
+    const BoundedVolume found = overlap_volume(i, j, kTight);
     EXPECT_LE(std::abs(found.value - truth), found.error + 1e-9 * truth)
         << "value " << found.value << ", truth " << truth << ", bound " << found.error;
-    EXPECT_LE(found.error, 1.01 * tight * found.value);
+    EXPECT_LE(found.error, 1.01 * kTight * found.value);
   }
 }
 
 TEST(OverlapVolume, ApartIsZero)
 {
   const BoundedVolume found =
-      overlap_volume(rod({0, 0, 0}, {1, 0, 0}, 1, 0.1), rod({0, 0, 0.2}, {0, 1, 0}, 1, 0.1), tight);
+      overlap_volume(rod({0, 0, 0}, {1, 0, 0}, 1, 0.1), rod({0, 0, 0.2}, {0, 1, 0}, 1, 0.1), kTight);
   EXPECT_EQ(found.value, 0.0);
   EXPECT_EQ(found.error, 0.0);
 }
@@ -159,7 +159,7 @@ TEST(OverlapVolume, RandomPairsAgainstLines)
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   const auto directions = even_directions(400);
   int quick = 0, searched = 0;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 120; i++) {
     const double r = 0.1, q = i % 2 ? 0.1 : 0.07;
     const Capsule a = rod({0, 0, 0}, directions[3 * i], 0.4 * std::abs(number(random)), r);
     Capsule b = rod({number(random), number(random), number(random)}, directions[399 - 2 * i],

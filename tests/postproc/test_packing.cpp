@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/numbers.h"
 #include "measures/packing_measures.h"
 #include "measures/packing_theory.h"
 #include "test_bed.h"
@@ -10,8 +11,6 @@
 
 namespace spherocylinder {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Rod rod(const Vec3 &centre, const Vec3 &axis, double half_length, double radius)
 {
@@ -29,13 +28,13 @@ TEST(PackingTheory, ParkhouseKelly)
 // Values worked out by hand from the same equation for c = 5.25, total length over diameter.
 TEST(PackingTheory, RandomContact)
 {
-  EXPECT_NEAR(random_contact_fraction(10, isotropic_sin_gamma), 0.4241, 5e-5);
-  EXPECT_NEAR(random_contact_fraction(20, isotropic_sin_gamma), 0.2348, 5e-5);
-  EXPECT_NEAR(random_contact_fraction(30, isotropic_sin_gamma), 0.1623, 5e-5);
-  EXPECT_NEAR(random_contact_fraction(10, horizontal_sin_gamma), 0.487, 6e-4);
-  EXPECT_NEAR(random_contact_fraction(20, horizontal_sin_gamma), 0.278, 6e-4);
-  EXPECT_NEAR(random_contact_fraction(30, horizontal_sin_gamma), 0.195, 6e-4);
-  EXPECT_NEAR(random_contact_fraction(10, isotropic_sin_gamma, 5.4), 0.436, 6e-4);
+  EXPECT_NEAR(random_contact_fraction(10, kIsotropicSinGamma), 0.4241, 5e-5);
+  EXPECT_NEAR(random_contact_fraction(20, kIsotropicSinGamma), 0.2348, 5e-5);
+  EXPECT_NEAR(random_contact_fraction(30, kIsotropicSinGamma), 0.1623, 5e-5);
+  EXPECT_NEAR(random_contact_fraction(10, kHorizontalSinGamma), 0.487, 6e-4);
+  EXPECT_NEAR(random_contact_fraction(20, kHorizontalSinGamma), 0.278, 6e-4);
+  EXPECT_NEAR(random_contact_fraction(30, kHorizontalSinGamma), 0.195, 6e-4);
+  EXPECT_NEAR(random_contact_fraction(10, kIsotropicSinGamma, 5.4), 0.436, 6e-4);
 }
 
 // pi/sqrt 18, the densest packing of spheres, pi/sqrt 12, that of parallel cylinders, between them
@@ -55,12 +54,12 @@ TEST(PackingTheory, IsForSlenderRods)
   EXPECT_TRUE(std::isnan(parkhouse_kelly_fraction(2.7)));
   EXPECT_NEAR(parkhouse_kelly_fraction(std::exp(1.0)), 2 / std::exp(1.0), 1e-14);
   for (const double lambda : {1.0, 1.5, 2.0, 3.0, 4.99}) {
-    EXPECT_TRUE(std::isnan(random_contact_fraction(lambda, isotropic_sin_gamma)));
-    EXPECT_TRUE(std::isnan(random_contact_fraction(lambda, isotropic_sin_gamma, 2.0)));
+    EXPECT_TRUE(std::isnan(random_contact_fraction(lambda, kIsotropicSinGamma)));
+    EXPECT_TRUE(std::isnan(random_contact_fraction(lambda, kIsotropicSinGamma, 2.0)));
   }
   // 10.5 (1 + 1/6) / (8 + 8 + 4/3), also of a dump with six digits.
-  EXPECT_NEAR(random_contact_fraction(5.0, isotropic_sin_gamma), 0.70673, 5e-6);
-  EXPECT_NEAR(random_contact_fraction(4.9999, isotropic_sin_gamma), 0.7067, 5e-5);
+  EXPECT_NEAR(random_contact_fraction(5.0, kIsotropicSinGamma), 0.70673, 5e-6);
+  EXPECT_NEAR(random_contact_fraction(4.9999, kIsotropicSinGamma), 0.7067, 5e-5);
   for (double lambda = 5.0; lambda < 200.0; lambda *= 1.07)
     for (double sin_gamma = 0.0; sin_gamma <= 1.0; sin_gamma += 0.02)
       for (const double half_contacts : {1.0, 5.25, 8.0}) {
@@ -103,7 +102,7 @@ TEST(PackingMeasures, HeightAndCount)
 TEST(PackingMeasures, StandingBars)
 {
   std::vector<Rod> rods;
-  for (int i = 0; i < 5; ++i) rods.push_back(rod({0.1 * i - 0.2, 0, 0}, {0, 0, 1}, 3.0, 0.04));
+  for (int i = 0; i < 5; i++) rods.push_back(rod({0.1 * i - 0.2, 0, 0}, {0, 0, 1}, 3.0, 0.04));
   const SolidFraction found = solid_fraction(rods, {0, 0, 0.5, -1, 1}, 1e-6);
   EXPECT_NEAR(found.fraction, 5 * 0.04 * 0.04 / 0.25, found.error + 1e-14);
   EXPECT_LE(found.error, 1e-6 * found.fraction);

@@ -31,10 +31,10 @@ namespace {
 double enclosed_volume(vtkPolyData *mesh)
 {
   double sum = 0.0;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i) {
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); i++) {
     vtkPoints *corners = mesh->GetCell(i)->GetPoints();
     double p[3][3];
-    for (vtkIdType j = 1; j + 1 < corners->GetNumberOfPoints(); ++j) {
+    for (vtkIdType j = 1; j + 1 < corners->GetNumberOfPoints(); j++) {
       corners->GetPoint(0, p[0]);
       corners->GetPoint(j, p[1]);
       corners->GetPoint(j + 1, p[2]);
@@ -57,7 +57,7 @@ TEST(RodSurface, PointsLieOnTheRods)
             static_cast<std::size_t>(geometry.mesh->GetNumberOfPoints()));
   ASSERT_EQ(geometry.rod_of_cell.size(),
             static_cast<std::size_t>(geometry.mesh->GetNumberOfCells()));
-  for (std::size_t i = 0; i < geometry.rod_of_point.size(); ++i) {
+  for (std::size_t i = 0; i < geometry.rod_of_point.size(); i++) {
     const Capsule &capsule = rods[geometry.rod_of_point[i]].capsule;
     const auto index = static_cast<vtkIdType>(i);
     const Vec3 point = load(geometry.mesh->GetPoint(index));
@@ -94,7 +94,7 @@ TEST(VesselSurface, LiesOnTheCylinder)
   const UprightCylinder vessel{1, 2, 3, -1, 1};
   for (const auto &mesh : {vessel_wall(vessel), vessel_floor(vessel), vessel_ring(vessel, 0.5),
                            dashed_vessel_ring(vessel, 0.5)})
-    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i) {
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); i++) {
       const Vec3 p = load(mesh->GetPoint(i));
       EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 3.0, 1e-6);
     }
@@ -103,7 +103,7 @@ TEST(VesselSurface, LiesOnTheCylinder)
 // A vessel along y about x = 1, z = 2, from y = 3 to 4; turned there and back nothing is lost.
 TEST(VesselSurface, LiesAlongAnAxis)
 {
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; axis++) {
     const Vec3 p = to_vessel(to_space({1, 2, 3}, axis), axis);
     EXPECT_EQ(p.x, 1);
     EXPECT_EQ(p.y, 2);
@@ -116,7 +116,7 @@ TEST(VesselSurface, LiesAlongAnAxis)
   const auto wall = vessel_wall(vessel_up_to(*vessel_about(1, options), 4.0));
   turn_to_space(wall, 1);
   double low = 9.0, high = -9.0;
-  for (vtkIdType i = 0; i < wall->GetNumberOfPoints(); ++i) {
+  for (vtkIdType i = 0; i < wall->GetNumberOfPoints(); i++) {
     const Vec3 p = load(wall->GetPoint(i));
     EXPECT_NEAR(std::hypot(p.x - 1, p.z - 2), 0.5, 1e-6);
     low = std::min(low, p.y);
@@ -138,7 +138,7 @@ TEST(ShownPart, OfAFilmIsWhatAllRodsReach)
   const std::vector<Rod> second{rod_along_x({3, 2, 2}, 0.4), rod_along_x({1, 0.9, 1}, 0.4)};
   PartOptions options;
   options.cut = true;
-  ShownPart part(options, View::side, true);
+  ShownPart part(options, View::Side, true);
   EXPECT_FALSE(part.may_be_empty());
   part.look_at(frame, first);
   part.look_at(frame, second);
@@ -166,7 +166,7 @@ TEST(ShownPart, OfAFilmHoldsAllPeriodicBoxes)
   shorter.box = {{{-1, 1}, {-9, 9}, {-9, 9}}};
   longer.box = {{{-2, 2}, {-9, 9}, {-9, 9}}};
   const std::vector<Rod> rods{rod_along_x({0, 3, 0}, 0.4)}, later{rod_along_x({0, 5, 0}, 0.4)};
-  ShownPart part({}, View::top, true);
+  ShownPart part({}, View::Top, true);
   part.look_at(longer, rods);
   part.look_at(shorter, later);
   PictureOptions picture;
@@ -186,7 +186,7 @@ TEST(ShownPart, BoxAndTopLeaveRodsOut)
   options.box = {-1, 1, -1, 2, 0, 1};
   options.top = 0.9;
   options.cut = true;
-  ShownPart part(options, View::oblique, false);
+  ShownPart part(options, View::Oblique, false);
   const std::vector<Rod> rods{rod_along_x({0.9, 1.9, 0.5}, 0.4), rod_along_x({1.1, 1.9, 0.5}, 0.4),
                               rod_along_x({0, 0.4, 0.5}, 0.4), rod_along_x({0, 0.6, 0.85}, 0.4),
                               rod_along_x({0, 0.6, 0.75}, 0.4)};
@@ -212,7 +212,7 @@ TEST(ShownPart, OfADrum)
   const std::vector<Rod> rods{rod_along_x({1, -3, 0.9}, 0.4), rod_along_x({2.9, 0.5, -1}, 0.4),
                               rod_along_x({1, 3, -1}, 0.4)};
   DumpFrame frame;
-  ShownPart part(options, View::side, false);
+  ShownPart part(options, View::Side, false);
   part.look_at(frame, rods);
   EXPECT_EQ(part.rods_shown(rods), (std::vector<std::size_t>{1, 2}));
   PictureOptions picture;
@@ -225,7 +225,7 @@ TEST(ShownPart, OfADrum)
   DumpFrame periodic;
   periodic.periodic = {false, true, false};
   periodic.box = {{{-9, 9}, {-4, 8}, {-9, 9}}};
-  ShownPart long_drum(options, View::side, false);
+  ShownPart long_drum(options, View::Side, false);
   long_drum.look_at(periodic, rods);
   EXPECT_EQ(long_drum.rods_shown(rods), (std::vector<std::size_t>{2}));  // behind y = 2
   long_drum.set(picture, periodic);
@@ -235,7 +235,7 @@ TEST(ShownPart, OfADrum)
 
   options.vessel.floor = -3.0;
   options.vessel_height = 8.0;
-  ShownPart closed(options, View::side, false);
+  ShownPart closed(options, View::Side, false);
   closed.look_at(frame, rods);
   EXPECT_EQ(closed.rods_shown(rods), (std::vector<std::size_t>{2}));
   closed.set(picture, frame);
@@ -243,10 +243,10 @@ TEST(ShownPart, OfADrum)
   EXPECT_EQ(picture.vessel->cylinder.z_high, 5.0);
 
   options.vessel_height = 5.9;
-  EXPECT_THROW(ShownPart(options, View::side, false).look_at(frame, rods), InputError);
+  EXPECT_THROW(ShownPart(options, View::Side, false).look_at(frame, rods), InputError);
   options.vessel_height = 8.0;
   options.vessel.centre = {-1.0, 1.0};
-  EXPECT_THROW(ShownPart(options, View::side, false).look_at(frame, rods), InputError);
+  EXPECT_THROW(ShownPart(options, View::Side, false).look_at(frame, rods), InputError);
 }
 
 // An upright vessel in a film: as high as the bed becomes and a tenth more.
@@ -254,7 +254,7 @@ TEST(ShownPart, OfAFilmOfAVessel)
 {
   PartOptions options;
   options.vessel.radius = 2.0;
-  ShownPart part(options, View::side, true);
+  ShownPart part(options, View::Side, true);
   DumpFrame frame;
   part.look_at(frame, {rod_along_x({0, 0, 3.9}, 0.4)});
   part.look_at(frame, {rod_along_x({0, 0, 0.1}, 0.4)});
@@ -271,7 +271,7 @@ TEST(VesselSurface, DashesLieBehindEachOther)
   const auto ring = dashed_vessel_ring({0, 0, 3, -1, 1}, 0.5);
   std::vector<Vec3> middles;
   double drawn = 0.0;
-  for (vtkIdType i = 0; i < ring->GetNumberOfCells(); ++i) {
+  for (vtkIdType i = 0; i < ring->GetNumberOfCells(); i++) {
     vtkPoints *ends = ring->GetCell(i)->GetPoints();
     const Vec3 a = load(ends->GetPoint(0)), b = load(ends->GetPoint(1));
     middles.push_back(0.5 * (a + b));
@@ -322,7 +322,7 @@ TEST(Font, SizeOfText)
   EXPECT_GT(size_of_text("a\nb", 20).height, size_of_text("b", 20).height + 15);
 }
 
-const PictureWords words{"λ = 30,  700 rods,  step 500000", "elevation\n(deg)",
+const PictureWords kWords{"λ = 30,  700 rods,  step 500000", "elevation\n(deg)",
                          {"0", "15", "30", "45", "60", "75", "90"},
                          false,
                          false};
@@ -334,28 +334,28 @@ TEST(PictureLayout, NothingLiesOverAnother)
   const int sizes[][2] = {{1200, 900}, {400, 600},  {300, 600},
                           {600, 1800}, {4000, 300}, {300, 300}};
   for (const auto &[width, height] : sizes) {
-    const PictureLayout at = lay_out(width, height, 0, words);
+    const PictureLayout at = lay_out(width, height, 0, kWords);
     const double letter = at.font_size;
     EXPECT_GE(at.right - at.left, 0.5 * width) << width << 'x' << height;
     EXPECT_GE(at.top - at.bottom, 0.5 * height) << width << 'x' << height;
     EXPECT_GT(at.bar_left, at.right);
-    EXPECT_LE(at.bar_left + size_of_text(words.title, at.font_size).width, width);
+    EXPECT_LE(at.bar_left + size_of_text(kWords.title, at.font_size).width, width);
     EXPECT_LE(at.bar_left + at.bar_width + at.label_gap + at.labels_width, width);
-    EXPECT_LE(at.title_y + size_of_text(words.title, at.font_size).height, height);
+    EXPECT_LE(at.title_y + size_of_text(kWords.title, at.font_size).height, height);
     EXPECT_GT(at.title_y, at.bar_bottom + at.bar_height + 0.5 * letter);  // half the last label
     EXPECT_GE(at.bar_height, 7.0 * letter);
-    EXPECT_LE(at.left + size_of_text(words.caption, at.font_size).width, width);
+    EXPECT_LE(at.left + size_of_text(kWords.caption, at.font_size).width, width);
     EXPECT_GE(at.scale_y, at.caption_y + letter);
     EXPECT_GE(at.scale_label_y, at.scale_y + at.scale_thickness);
     EXPECT_GE(at.bottom, at.scale_label_y + letter);
   }
-  EXPECT_EQ(lay_out(1200, 900, 0, words).font_size, 900 / 45);
+  EXPECT_EQ(lay_out(1200, 900, 0, kWords).font_size, 900 / 45);
 }
 
 // Values beyond an end of the colours are said, and nothing moves for it: the pictures of a film match.
 TEST(PictureLayout, ValuesBeyondTheEnds)
 {
-  PictureWords beyond = words;
+  PictureWords beyond = kWords;
   EXPECT_EQ(beyond.label(0), "0");
   beyond.below = beyond.above = true;
   EXPECT_EQ(beyond.label(0), "≤ 0");
@@ -374,10 +374,10 @@ TEST(PictureLayout, ValuesBeyondTheEnds)
 // Words shorter than the longest caption of a film leave the letters as they are.
 TEST(PictureLayout, PicturesOfAFilmHaveLettersOfOneSize)
 {
-  PictureWords other = words;
+  PictureWords other = kWords;
   other.caption = "λ = 30,  7 rods,  step 5";
   for (const int width : {300, 400, 1200})
-    EXPECT_EQ(lay_out(width, 600, 0, other).font_size, lay_out(width, 600, 0, words).font_size);
+    EXPECT_EQ(lay_out(width, 600, 0, other).font_size, lay_out(width, 600, 0, kWords).font_size);
 }
 
 TEST(PictureLayout, WhatDoesNotFitIsRefused)
@@ -390,13 +390,13 @@ TEST(PictureLayout, WhatDoesNotFitIsRefused)
     }
     return std::string();
   };
-  EXPECT_EQ(refusal(1200, 900, 32, words), "");
-  const std::string too_large = refusal(1200, 900, 400, words);
+  EXPECT_EQ(refusal(1200, 900, 32, kWords), "");
+  const std::string too_large = refusal(1200, 900, 400, kWords);
   EXPECT_EQ(too_large.find("--font-size: must be at most "), 0u) << too_large;
   const int most = std::stoi(too_large.substr(29));
-  EXPECT_EQ(lay_out(1200, 900, most, words).font_size, most);
-  EXPECT_NE(refusal(1200, 900, most + 1, words), "");
-  PictureWords wide = words;
+  EXPECT_EQ(lay_out(1200, 900, most, kWords).font_size, most);
+  EXPECT_NE(refusal(1200, 900, most + 1, kWords), "");
+  PictureWords wide = kWords;
   wide.title = std::string(60, 'm');
   EXPECT_EQ(refusal(300, 300, 0, wide).find("--size: letters"), 0u);
 }

@@ -14,13 +14,13 @@ namespace spherocylinder {
 namespace {
 
 using Real = long double;
-const Real pi = std::acos(Real(-1));
+const Real kPi = std::acos(Real(-1));
 
 // Disc of radius rho on the side y <= b of a chord.
 Real disc_part(Real rho, Real b)
 {
   if (b <= -rho) return 0;
-  if (b >= rho) return pi * rho * rho;
+  if (b >= rho) return kPi * rho * rho;
   return rho * rho * std::acos(-b / rho) + b * std::sqrt((rho - b) * (rho + b));
 }
 
@@ -50,25 +50,25 @@ Real volume_by_slices(const Capsule &rod, double height)
     add(side * h + k * c - std::sqrt(root));
   }
   std::sort(cuts.begin(), cuts.end());
-  constexpr int steps = 2000;
+  constexpr int kSteps = 2000;
   Real sum = 0;
-  for (std::size_t i = 1; i < cuts.size(); ++i) {
+  for (std::size_t i = 1; i < cuts.size(); i++) {
     const Real middle = (cuts[i] + cuts[i - 1]) / 2, half = (cuts[i] - cuts[i - 1]) / 2;
-    for (int k = 0; k < steps; ++k) {
-      const Real theta = pi * (k + Real(0.5)) / steps;
+    for (int k = 0; k < kSteps; k++) {
+      const Real theta = kPi * (k + Real(0.5)) / kSteps;
       const Real q = middle - half * std::cos(theta);
       const Real beyond = std::max(std::abs(q) - h, Real(0));
       const Real rho = std::sqrt(std::max((r - beyond) * (r + beyond), Real(0)));
       const Real level = d - q * c;
-      const Real part = s > 0 ? disc_part(rho, level / s) : (level >= 0 ? pi * rho * rho : 0);
-      sum += part * half * std::sin(theta) * pi / steps;
+      const Real part = s > 0 ? disc_part(rho, level / s) : (level >= 0 ? kPi * rho * rho : 0);
+      sum += part * half * std::sin(theta) * kPi / kSteps;
     }
   }
   return sum;
 }
 
 // Of the rod; midpoints leave about 1e-7 where two kinks fall together.
-constexpr double slices_error = 1e-6;
+constexpr double kSlicesError = 1e-6;
 
 TEST(PlaneVolume, AnyPoseAgainstSlices)
 {
@@ -80,7 +80,7 @@ TEST(PlaneVolume, AnyPoseAgainstSlices)
     const double height = number(random);
     const double found = volume_below(rod, height);
     EXPECT_NEAR(found, static_cast<double>(volume_by_slices(rod, height)),
-                slices_error * volume(rod));
+                kSlicesError * volume(rod));
     cut += found > 0.0 && found < volume(rod);
   }
   EXPECT_GT(cut, 50);
@@ -96,7 +96,7 @@ TEST(PlaneVolume, NearlyHorizontalAndUprightAgainstSlices)
         for (const Vec3 &axis : {Vec3{rest, 0.0, tilt}, Vec3{0.0, -tilt, -rest}}) {
           const Capsule rod{{{0.0, 0.0, 0.0}, axis, h}, 0.2};
           EXPECT_NEAR(volume_below(rod, height), static_cast<double>(volume_by_slices(rod, height)),
-                      slices_error * volume(rod))
+                      kSlicesError * volume(rod))
               << "h " << h << " tilt " << tilt << " axis z " << axis.z << " height " << height;
         }
       }

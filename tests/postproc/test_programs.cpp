@@ -18,9 +18,9 @@
 namespace spherocylinder {
 namespace {
 
-const std::string programs = PROGRAM_FOLDER;
-const std::string docs = DOCS_FOLDER;
-const std::string tests = POSTPROC_TESTS_FOLDER;
+const std::string kPrograms = PROGRAM_FOLDER;
+const std::string kDocs = DOCS_FOLDER;
+const std::string kTests = POSTPROC_TESTS_FOLDER;
 
 // The first row of a CSV file by column.
 std::map<std::string, double> csv_row(const std::string &text)
@@ -76,7 +76,7 @@ class Programs : public ScratchFolder {
   {
     const int status =
         std::system(fmt::format("cd '{}' && PATH='{}':\"$PATH\" {} >out.txt 2>error.txt",
-                                folder().string(), programs, command)
+                                folder().string(), kPrograms, command)
                         .c_str());
     out_ = read("out.txt");
     error_ = read("error.txt");
@@ -125,7 +125,7 @@ class Programs : public ScratchFolder {
     std::filesystem::create_directory(folder() / "mpi");
     ASSERT_EQ(
         run("env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_tmpdir_base=$PWD/mpi lmp -in '" +
-            tests + "/in.heap'"),
+            kTests + "/in.heap'"),
         0)
         << out_ << error_;
   }
@@ -139,7 +139,7 @@ class Programs : public ScratchFolder {
     if (bytes.substr(0, 8) != "\x89PNG\r\n\x1a\n") return {0, 0};
     const auto number = [&](std::size_t at) {
       int value = 0;
-      for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t i = 0; i < 4; i++)
         value = 256 * value + static_cast<unsigned char>(bytes[at + i]);
       return value;
     };
@@ -148,7 +148,7 @@ class Programs : public ScratchFolder {
 
   void expect_examples_run(const std::string &page)
   {
-    const auto commands = examples_of_page(docs + "/" + page, "rod_");
+    const auto commands = examples_of_page(kDocs + "/" + page, "rod_");
     EXPECT_GE(commands.size(), 2u);
     for (const std::string &command : commands) {
       EXPECT_EQ(run(command), 0) << command << "\n" << error_;
@@ -338,7 +338,7 @@ TEST_F(Programs, TheoryIsForSlenderRods)
 TEST_F(Programs, TheoryIsForRandomContacts)
 {
   std::vector<Rod> rods;
-  for (int i = 0; i < 6; ++i)
+  for (int i = 0; i < 6; i++)
     rods.push_back({i + 1, 1, {{{0, 0, 0.05 + 0.02 * i}, {1, 0, 0}, 0.045}, 0.005}});
   write("parallel.dump", dump_text(rods, 0));
   ASSERT_EQ(run("rod_packing parallel.dump --vessel-radius 0.105 --csv parallel.csv"), 0);
@@ -425,7 +425,7 @@ TEST_F(Programs, PackingOfAPeriodicBox)
 {
   const double volume = std::acos(-1.0) * (1e-4 * 0.18 + 4.0 / 3.0 * 1e-6);
   std::vector<Rod> rods;
-  for (int i = 0; i < 5; ++i)
+  for (int i = 0; i < 5; i++)
     rods.push_back({i + 1, 1, {{{0.95, 0.1 * i, 0.25 + 0.2 * i}, {1, 0, 0}, 0.09}, 0.01}});
   // Crosses the image of the first rod, which reaches into the next box.
   rods.push_back({6, 1, {{{-0.99, 0.05, 0.25}, {0, 1, 0}, 0.09}, 0.01}});
@@ -585,7 +585,7 @@ TEST_F(Programs, FractionsOfSeveralFilesAddUp)
   std::string line, field;
   for (std::getline(lines, line); std::getline(lines, line);) {
     std::istringstream fields(line);  // step, contacts, rods, fraction, fraction_error
-    for (int k = 0; k < 4; ++k) std::getline(fields, field, ',');
+    for (int k = 0; k < 4; k++) std::getline(fields, field, ',');
     sum += std::stod(field);
     std::getline(fields, field, ',');
     errors += !field.empty();
@@ -705,7 +705,7 @@ TEST_F(Programs, VtkSeriesHoldsTheVessel)
   std::size_t walls = 0;
   for (auto at = series.find("p_vessel.vtp"); at != std::string::npos;
        at = series.find("p_vessel.vtp", at + 1))
-    ++walls;
+    walls++;
   EXPECT_EQ(walls, 3u) << series;
   EXPECT_NE(series.find("part=\"2\" file=\"p_floor.vtp\""), std::string::npos) << series;
   EXPECT_NE(read("p_floor.vtp").find("NumberOfPolys=\"1\""), std::string::npos);
@@ -945,7 +945,7 @@ TEST_F(Programs, FilmIsMadeByFfmpeg)
 {
   if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
   const std::string command =
-      programs +
+      kPrograms +
       "/rod_render pour.dump --frame all --out p.png --vessel-radius 0.305 --top 0.6 "
       "--size 200x200 --rate 25 --film p.webm";
   const auto fake = [&](const std::string &last_line) {
@@ -1002,7 +1002,7 @@ TEST_F(Programs, FilmWithoutAVesselIsSteady)
     EXPECT_EQ(run("rod_render film.dump --frame all --out f.png --size 200x200 --timestep 1e-9"), 0)
         << error_;
     std::vector<std::string> pictures;
-    for (int i = 1; std::filesystem::exists(folder() / fmt::format("f_{:04}.png", i)); ++i) {
+    for (int i = 1; std::filesystem::exists(folder() / fmt::format("f_{:04}.png", i)); i++) {
       pictures.push_back(read(fmt::format("f_{:04}.png", i)));
       std::filesystem::remove(folder() / fmt::format("f_{:04}.png", i));
     }
@@ -1078,7 +1078,7 @@ TEST_F(Programs, DoNotWriteOverWhatTheyRead)
 TEST_F(Programs, NoDisplayAndNoXvfb)
 {
   // A PATH with nothing but the program.
-  std::filesystem::create_symlink(programs + "/rod_render", folder() / "rod_render");
+  std::filesystem::create_symlink(kPrograms + "/rod_render", folder() / "rod_render");
   const auto before = files();
   EXPECT_EQ(run("env -u DISPLAY PATH=. ./rod_render bed.dump --out a.png"), 2);
   EXPECT_TRUE(files() == before);

@@ -8,14 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/numbers.h"
 #include "io/input_error.h"
 #include "measures/rod_gas.h"
 #include "core/closest_points.h"
 
 namespace spherocylinder {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 RodGasOptions small_gas(double lambda, double solid, std::size_t rods)
 {
@@ -29,11 +28,11 @@ RodGasOptions small_gas(double lambda, double solid, std::size_t rods)
 double least_distance(const RodGas &gas, bool periodic_z)
 {
   double least = INFINITY;
-  for (std::size_t i = 0; i < gas.rods.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      for (int a = -1; a <= 1; ++a)
-        for (int b = -1; b <= 1; ++b)
-          for (int c = -periodic_z; c <= periodic_z; ++c) {
+  for (std::size_t i = 0; i < gas.rods.size(); i++)
+    for (std::size_t j = 0; j < i; j++)
+      for (int a = -1; a <= 1; a++)
+        for (int b = -1; b <= 1; b++)
+          for (int c = -periodic_z; c <= periodic_z; c++) {
             Segment other = gas.rods[j].segment;
             other.centre = other.centre + Vec3{a * gas.box[0], b * gas.box[1], c * gas.box[2]};
             least = std::min(least, closest_points(gas.rods[i].segment, other).distance_squared);
@@ -75,7 +74,7 @@ TEST(RodGas, CopiesAndFloor)
       const Vec3 d = (1.0 / gas.side) * (other.segment.centre - rod.segment.centre);
       const Vec3 off = d - Vec3{std::round(d.x), std::round(d.y), std::round(d.z)};
       if (norm(off) > 1e-9) continue;
-      ++copies;
+      copies++;
       if (&other != &rod) {
         EXPECT_NE(other.velocity.x, rod.velocity.x);
       }

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/numbers.h"
 #include "solid/section_area.h"
 
 namespace spherocylinder {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr Rectangle everywhere{-100, 100, -100, 100};
+constexpr Rectangle kEverywhere{-100, 100, -100, 100};
 
 TEST(SectionArea, PolygonClippedByALine)
 {
@@ -42,7 +42,7 @@ TEST(SectionArea, WholeStadium)
 {
   const Stadium stadium{{0.6, 0.8}, 1.5, 0.25};
   EXPECT_NEAR(area(stadium), 2 * 0.25 * 3.0 + pi * 0.0625, 1e-15);  // 2 r h + pi r^2
-  EXPECT_NEAR(intersection_area(stadium, everywhere), area(stadium), 1e-14);
+  EXPECT_NEAR(intersection_area(stadium, kEverywhere), area(stadium), 1e-14);
 }
 
 // Any line through the centre halves a stadium; two at right angles quarter it if one is its axis.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/numbers.h"
 #include "io/input_error.h"
 #include "measures/packing_measures.h"
 #include "core/parallel.h"
@@ -12,8 +13,6 @@
 
 namespace spherocylinder {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 std::vector<Rod> bed()
 {
@@ -68,9 +67,9 @@ TEST(SolidProfile, ShellsAgainstBounds)
   const UprightCylinder vessel{0.01, -0.02, 0.1, 0.02, 0.2};
   const SolidFraction whole = solid_fraction(rods, vessel, 1e-6);
   const double space = volume(vessel), solid = whole.fraction * space;
-  constexpr double tolerance = 1e-4;
-  const auto radius = radius_profile(rods, vessel, bin_edges(0.0, 0.1, 0.01), tolerance);
-  const auto wall = wall_profile(rods, vessel, bin_edges(0.0, 0.1, 0.01), tolerance);
+  constexpr double kTolerance = 1e-4;
+  const auto radius = radius_profile(rods, vessel, bin_edges(0.0, 0.1, 0.01), kTolerance);
+  const auto wall = wall_profile(rods, vessel, bin_edges(0.0, 0.1, 0.01), kTolerance);
   EXPECT_NEAR(region_of(radius), space, 1e-14);
   EXPECT_NEAR(region_of(wall), space, 1e-14);
   EXPECT_NEAR(sum_of(radius), solid, 1e-4 * solid);
@@ -82,7 +81,7 @@ TEST(SolidProfile, ShellsAgainstBounds)
     const double outer = found.fraction * volume(within);
     // 1e-5: the other method's own bounds.
     EXPECT_NEAR(bin.solid, outer - inner, bin.error + 1e-5 * bin.solid) << bin.low;
-    EXPECT_LE(bin.error, 1.01 * tolerance * bin.solid) << bin.low;
+    EXPECT_LE(bin.error, 1.01 * kTolerance * bin.solid) << bin.low;
     inner = outer;
   }
   double outer = solid;
@@ -114,9 +113,9 @@ TEST(SolidProfile, UprightRodOnTheAxis)
 TEST(SolidProfile, EvenFillIsFlat)
 {
   std::vector<Rod> rods;
-  constexpr int n = 40;
-  for (int i = -n; i <= n; ++i)
-    for (int j = -n; j <= n; ++j)
+  const int n = 40;
+  for (int i = -n; i <= n; i++)
+    for (int j = -n; j <= n; j++)
       rods.push_back({1, 1, {{{0.05 * i, 0.05 * j, 0.0}, {0, 0, 1}, 5.0}, 0.005}});
   const double even = pi * 0.005 * 0.005 / (0.05 * 0.05);
   for (const ProfileBin &bin :
@@ -129,7 +128,7 @@ TEST(Parallel, PiecesAndExceptions)
 {
   std::vector<int> hits(1000, 0);
   for_each_piece(hits.size(), 7, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) ++hits[i];
+    for (std::size_t i = begin; i < end; i++) hits[i]++;
   });
   EXPECT_EQ(hits, std::vector<int>(1000, 1));
   for_each_piece(0, 7, [](std::size_t, std::size_t) { FAIL(); });

@@ -102,7 +102,7 @@ long double distance_by_search(const Segment &i, const Segment &j)
 
   Long low = -static_cast<Long>(i.half_length), high = i.half_length;
   // (2/3)^160 = 7e-29: below the last digit of the interval.
-  for (int step = 0; step < 160; ++step) {
+  for (int step = 0; step < 160; step++) {
     const Long third = (high - low) / 3;
     if (distance_squared_at(low + third) < distance_squared_at(high - third))
       high -= third;

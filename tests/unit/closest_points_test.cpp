@@ -67,9 +67,9 @@ class ClosestPointsOf : public testing::TestWithParam<Family> {
 // Independent slow method: the nine faces of the problem in quadruple precision.
 TEST_P(ClosestPointsOf, DistanceAgreesWithFacesInQuadruplePrecision)
 {
-  constexpr int pairs = 100000;
+  constexpr int kPairs = 100000;
   Worst worst;
-  for (int k = 0; k < pairs; ++k) {
+  for (int k = 0; k < kPairs; k++) {
     const Pair pair = next();
     worst.add(pair, distance(pair.i, pair.j), distance_by_faces(pair.i, pair.j));
   }
@@ -84,9 +84,9 @@ TEST_P(ClosestPointsOf, DistanceAgreesWithFacesInQuadruplePrecision)
 // The reference against a second slow method, a ternary search.
 TEST_P(ClosestPointsOf, FacesAgreeWithSearch)
 {
-  constexpr int pairs = 5000;
+  constexpr int kPairs = 5000;
   double worst = 0.0;
-  for (int k = 0; k < pairs; ++k) {
+  for (int k = 0; k < kPairs; k++) {
     const Pair pair = next();
     const long double difference =
         std::fabs(distance_by_search(pair.i, pair.j) - distance_by_faces(pair.i, pair.j));
@@ -99,7 +99,7 @@ TEST_P(ClosestPointsOf, FacesAgreeWithSearch)
 // Both points are on their segments, and delta and distance are those of the two points.
 TEST_P(ClosestPointsOf, PointsLieOnTheSegments)
 {
-  for (int k = 0; k < 100000; ++k) {
+  for (int k = 0; k < 100000; k++) {
     const auto [i, j] = next();
     const ClosestPoints c = closest_points(i, j);
     ASSERT_LE(std::fabs(c.s), i.half_length);
@@ -116,7 +116,7 @@ TEST_P(ClosestPointsOf, PointsLieOnTheSegments)
 TEST_P(ClosestPointsOf, DistanceIgnoresOrderAndAxisSigns)
 {
   double worst = 0.0;
-  for (int k = 0; k < 50000; ++k) {
+  for (int k = 0; k < 50000; k++) {
     const Pair pair = next();
     const double expected = distance(pair.i, pair.j);
     for (const double other :
@@ -135,7 +135,7 @@ TEST_P(ClosestPointsOf, DistanceIgnoresOrderAndAxisSigns)
 TEST_P(ClosestPointsOf, RigidMotionKeepsDistance)
 {
   double worst = 0.0;
-  for (int k = 0; k < 50000; ++k) {
+  for (int k = 0; k < 50000; k++) {
     const Pair pair = next();
     const Vec3 about = random_.direction();
     const double angle = random_.uniform(-kPi, kPi);
@@ -155,7 +155,7 @@ TEST_P(ClosestPointsOf, RigidMotionKeepsDistance)
 // The cheap test may miss, but never call a pair apart that is nearer than the reach.
 TEST_P(ClosestPointsOf, LinesAreNotApartWithinReach)
 {
-  for (int k = 0; k < 100000; ++k) {
+  for (int k = 0; k < 100000; k++) {
     const Pair pair = next();
     const double reach = distance(pair.i, pair.j) + kRoundOff * scale_of(pair);
     ASSERT_FALSE(lines_are_apart(pair.i, pair.j, reach * random_.uniform(1.0, 1.001)));
@@ -177,7 +177,7 @@ TEST(LinesAreApart, SeesCrossedLines)
 TEST(ClosestPoints, ZeroLengthsAreSpheres)
 {
   RandomRods random(15485863);
-  for (int k = 0; k < 1000000; ++k) {
+  for (int k = 0; k < 1000000; k++) {
     const double size = random.log_uniform(1e-6, 1e3);
     const Segment i{random.vector(size), random.direction(), 0.0};
     const Segment j{random.vector(size), random.direction(), 0.0};

@@ -115,7 +115,7 @@ TEST(VelocityHalfAStepAgo, OnACircle)
 TEST(VelocityAt, DifferenceOfThePath)
 {
   RandomRods random(6007);
-  for (int k = 0; k < 10000; ++k) {
+  for (int k = 0; k < 10000; k++) {
     const Vec3 velocity = random.vector(1.0), arm = random.vector(1.0), about = random.direction();
     const double rate = random.log_uniform(0.1, 1e3), step = 1e-4 / rate;
     const auto displacement = [&](double t) { return t * velocity + turned(arm, about, rate * t); };
@@ -132,7 +132,7 @@ TEST(InverseEffectiveMass, FullInertiaTensor)
   RandomRods random(6011);
   double worst = 0.0;
   for (const double diameter : kDiameters)
-    for (int k = 0; k < 20000; ++k) {
+    for (int k = 0; k < 20000; k++) {
       const double length = diameter * random.log_uniform(1.0, 100.0);
       const MassProperties p = mass_properties(diameter, length, kDensity);
       const Vec3 axis = random.direction(), normal = random.direction();
@@ -178,7 +178,7 @@ TEST(Impulse, RestitutionEnergyAndMomentum)
   RandomRods random(6029);
   double worst_velocity = 0.0, worst_energy = 0.0, worst_momentum = 0.0, worst_angular = 0.0;
   for (const double diameter : kDiameters)
-    for (int k = 0; k < 20000; ++k) {
+    for (int k = 0; k < 20000; k++) {
       Impact impact = random_impact(random, diameter);
       Rod &i = impact.i, &j = impact.j;
       const double e = random.uniform(0.0, 1.0);
@@ -229,7 +229,7 @@ TEST(MassCoupling, FullInertiaTensor)
 {
   RandomRods random(49979693);
   double worst = 0.0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 20000; k++) {
     const MassProperties p = mass_properties(1.0, random.uniform(1.001, 100.0), 1.0);
     const Vec3 axis = random.direction(), n1 = random.direction(), n2 = random.direction();
     const Vec3 a1 = random.uniform(-5.0, 5.0) * axis, a2 = random.uniform(-5.0, 5.0) * axis;
@@ -255,7 +255,7 @@ TEST(MassCoupling, SharedLoadKeepsTheEffectiveMassBelowTheMass)
 {
   RandomRods random(67867979);
   double least = 1e9;
-  for (int k = 0; k < 200000; ++k) {
+  for (int k = 0; k < 200000; k++) {
     const double aspect_ratio = std::pow(10.0, random.uniform(0.0, 3.0));
     const MassProperties p = mass_properties(1.0, aspect_ratio + 1e-6, 1.0);
     const Vec3 axis = random.direction(), n1 = random.direction(), n2 = random.direction();

@@ -98,14 +98,14 @@ TEST(FiveStepSearch, MissesAnEndOnASide)
 // (cot g - (pi/2 - g)); the counts scatter by their root.
 TEST(FiveStepSearch, MissesTheClosedFormsVolume)
 {
-  constexpr int tries = 1000000;
-  constexpr double d = 1.0, l = 10.0;
+  constexpr int kTries = 1000000;
+  const double d = 1.0, l = 10.0;
   RandomRods random(86028157);
   for (const double angle : {0.2, 0.4, 0.8, 1.2, 0.5 * kPi}) {
     const Vec3 across = {std::cos(angle), std::sin(angle), 0.0};
     const double box[3] = {0.5 * l * (1.0 + across.x) + d, 0.5 * l * across.y + d, d};
     int touching = 0, missed = 0;
-    for (int k = 0; k < tries; k++) {
+    for (int k = 0; k < kTries; k++) {
       const Vec3 centre = {random.uniform(-box[0], box[0]), random.uniform(-box[1], box[1]),
                            random.uniform(-box[2], box[2])};
       const Pair pair = {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.5 * l}, {centre, across, 0.5 * l}};
@@ -113,7 +113,7 @@ TEST(FiveStepSearch, MissesTheClosedFormsVolume)
       touching++;
       missed += five_step_points(pair.i, pair.j).distance_squared >= d * d;
     }
-    const double tries_per_volume = tries / (8.0 * box[0] * box[1] * box[2]);
+    const double tries_per_volume = kTries / (8.0 * box[0] * box[1] * box[2]);
     const double all =
         2.0 * d * l * l * std::sin(angle) + 2.0 * kPi * d * d * l + 4.0 / 3.0 * kPi * d * d * d;
     const double lost =

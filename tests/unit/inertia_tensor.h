@@ -14,8 +14,8 @@ inline Matrix inertia_tensor(const spherocylinder::Vec3 &axis,
 {
   const long double u[] = {axis.x, axis.y, axis.z};
   Matrix tensor;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b)
+  for (int a = 0; a < 3; a++)
+    for (int b = 0; b < 3; b++)
       tensor[a][b] =
           p.inertia_transverse * (a == b) + (p.inertia_axial - p.inertia_transverse) * u[a] * u[b];
   return tensor;
@@ -31,8 +31,8 @@ inline Matrix inverse(const Matrix &m)
   const long double determinant =
       m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
   Matrix result;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) result[b][a] = minor(a, b) / determinant;
+  for (int a = 0; a < 3; a++)
+    for (int b = 0; b < 3; b++) result[b][a] = minor(a, b) / determinant;
   return result;
 }
 
@@ -42,7 +42,7 @@ long double contracted(const Matrix &m, const Vector &vector)
 {
   const long double x[] = {vector.x, vector.y, vector.z};
   long double sum = 0.0L;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) sum += x[a] * m[a][b] * x[b];
+  for (int a = 0; a < 3; a++)
+    for (int b = 0; b < 3; b++) sum += x[a] * m[a][b] * x[b];
   return sum;
 }

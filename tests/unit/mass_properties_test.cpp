@@ -17,9 +17,9 @@ namespace {
 MassProperties by_slices(double diameter, double length, double density)
 {
   // Five-point Gauss-Legendre rule on [-1, 1] (Abramowitz & Stegun, table 25.4).
-  constexpr double node[] = {0.0, 0.5384693101056831, 0.9061798459386640};
-  constexpr double weight[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
-  constexpr int pieces = 16;
+  constexpr double kNode[] = {0.0, 0.5384693101056831, 0.9061798459386640};
+  constexpr double kWeight[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  constexpr int kPieces = 16;
 
   const double r = 0.5 * diameter;
   const double half_cylinder = 0.5 * (length - diameter);
@@ -35,13 +35,13 @@ MassProperties by_slices(double diameter, double length, double density)
     sum.inertia_transverse += density * volume * (0.25 * disc_radius_squared + z * z);
   };
   const auto add_interval = [&](double from, double to) {
-    const double half_piece = 0.5 * (to - from) / pieces;
-    for (int piece = 0; piece < pieces; ++piece) {
+    const double half_piece = 0.5 * (to - from) / kPieces;
+    for (int piece = 0; piece < kPieces; piece++) {
       const double middle = from + (2 * piece + 1) * half_piece;
-      add_disc(middle, weight[0] * half_piece);
-      for (int k = 1; k < 3; ++k) {
-        add_disc(middle - node[k] * half_piece, weight[k] * half_piece);
-        add_disc(middle + node[k] * half_piece, weight[k] * half_piece);
+      add_disc(middle, kWeight[0] * half_piece);
+      for (int k = 1; k < 3; k++) {
+        add_disc(middle - kNode[k] * half_piece, kWeight[k] * half_piece);
+        add_disc(middle + kNode[k] * half_piece, kWeight[k] * half_piece);
       }
     }
   };
@@ -70,12 +70,12 @@ struct TabulatedRod {
 // Tabulated values of the closed forms for D = 0.01 m and 2700 kg/m^3, to the digits printed there.
 TEST(MassProperties, TabulatedRods)
 {
-  constexpr TabulatedRod table[] = {
+  constexpr TabulatedRod kTable[] = {
       {10.0, 0.0204989, 2.5270e-7, 1.61173e-5},
       {20.0, 0.0417046, 5.1777e-7, 1.34737e-4},
       {30.0, 0.0629104, 7.8285e-7, 4.61880e-4},
   };
-  for (const TabulatedRod &rod : table) {
+  for (const TabulatedRod &rod : kTable) {
     const MassProperties p = mass_properties(0.01, rod.aspect_ratio * 0.01, kDensity);
     EXPECT_NEAR(p.mass, rod.mass, 0.51e-7) << rod.aspect_ratio;
     EXPECT_NEAR(p.inertia_axial, rod.inertia_axial, 0.51e-11) << rod.aspect_ratio;
@@ -174,7 +174,7 @@ TEST(SymmetricTop, AngularVelocityAndMomentumAreInverse)
     for (const double aspect_ratio : {1.0, 2.0, 10.0, 30.0}) {
       const MassProperties p = mass_properties(diameter, aspect_ratio * diameter, kDensity);
       const double tolerance = 8 * kEpsilon * p.inertia_transverse / p.inertia_axial;
-      for (int k = 0; k < 1000; ++k) {
+      for (int k = 0; k < 1000; k++) {
         const Vec3 axis = random.direction();
         const Vec3 omega = random.log_uniform(1e-3, 1e6) * random.direction();
         const Vec3 momentum =
@@ -212,7 +212,7 @@ TEST(SymmetricTop, RotationalEnergy)
   for (const double diameter : kDiameters)
     for (const double aspect_ratio : {1.0, 2.0, 10.0, 30.0}) {
       const MassProperties p = mass_properties(diameter, aspect_ratio * diameter, kDensity);
-      for (int k = 0; k < 1000; ++k) {
+      for (int k = 0; k < 1000; k++) {
         const Vec3 axis = random.direction();
         const double spin = random.uniform(-100.0, 100.0), tumble = random.uniform(1.0, 100.0);
         const Vec3 omega = spin * axis + tumble * random.across(axis);

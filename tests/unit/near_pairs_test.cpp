@@ -152,7 +152,7 @@ TEST(NearPairs, OfARodWithoutAPlaceAreNone)
 // trying all.
 TEST(Skin, ConvergesToTheCheapest)
 {
-  constexpr double a = 3.0, b = 0.02, diameter = 0.01, least = 0.003;
+  const double a = 3.0, b = 0.02, diameter = 0.01, least = 0.003;
   const auto per_pair = [&](double skin) { return a * (diameter + skin); };
   const auto per_move = [&](double skin) { return b * 1e-4 / (skin - least); };
   double cheapest = 0.0, lowest = 1e300;

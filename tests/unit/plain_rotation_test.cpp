@@ -44,7 +44,7 @@ Vec3 momentum_of(const Spin &spin, const MassProperties &rod)
 double axis_error(const Spin &start, const MassProperties &rod, double time, int steps)
 {
   Spin spin = start;
-  for (int k = 0; k < steps; ++k) spin = stepped(spin, rod, time / steps);
+  for (int k = 0; k < steps; k++) spin = stepped(spin, rod, time / steps);
   const Quaternion exact = rotate_freely(start.q, momentum_of(start, rod), rod.inertia_axial,
                                          rod.inertia_transverse, time);
   return norm(axis_of(spin.q) - axis_of(exact));
@@ -57,7 +57,7 @@ double axis_error(const Spin &start, const MassProperties &rod, double time, int
 // epsilon or two a step.
 TEST(PlainRotation, GrowsAcrossTheAxis)
 {
-  constexpr int steps = 20000;
+  constexpr int kSteps = 20000;
   RandomRods random(67867967);
   for (const double aspect_ratio : {1.0, 1.5, 10.0, 30.0}) {
     const MassProperties rod = mass_properties(0.01, aspect_ratio * 0.01, kDensity);
@@ -65,12 +65,12 @@ TEST(PlainRotation, GrowsAcrossTheAxis)
     const double dt = 1e-4;
     const double x = 0.5 * dt * (1.0 - rod.inertia_axial / rod.inertia_transverse) * 200.0;
     Spin spin = start;
-    for (int k = 0; k < steps; ++k) spin = stepped(spin, rod, dt);
-    const double growth = std::exp(steps * std::log1p(x * x));
-    EXPECT_NEAR(across_axis(spin.omega_body) / 5.0 / growth, 1.0, 4 * steps * kEpsilon);
+    for (int k = 0; k < kSteps; k++) spin = stepped(spin, rod, dt);
+    const double growth = std::exp(kSteps * std::log1p(x * x));
+    EXPECT_NEAR(across_axis(spin.omega_body) / 5.0 / growth, 1.0, 4 * kSteps * kEpsilon);
     EXPECT_EQ(spin.omega_body.z, 200.0);
     // It turns against omega_z in the body, which turns the other way.
-    const double angle = std::atan2(-4.0, 3.0) - 2.0 * steps * std::atan(x);
+    const double angle = std::atan2(-4.0, 3.0) - 2.0 * kSteps * std::atan(x);
     EXPECT_NEAR(spin.omega_body.x / across_axis(spin.omega_body), std::cos(angle), 1e-9);
     EXPECT_NEAR(spin.omega_body.y / across_axis(spin.omega_body), std::sin(angle), 1e-9);
   }

@@ -87,7 +87,7 @@ void for_random_tops(int throws, Check check)
   RandomRods random(32452843);
   for (const double diameter : kDiameters)
     for (const double aspect_ratio : kAspectRatios)
-      for (int k = 0; k < throws; ++k) check(random_top(random, diameter, aspect_ratio), random);
+      for (int k = 0; k < throws; k++) check(random_top(random, diameter, aspect_ratio), random);
 }
 
 // Euler's equations of a symmetric top in the body frame, with the kinematics
@@ -107,7 +107,7 @@ State rate_of_change(const State &state, double inertia_axial, double inertia_tr
 State sum(const State &a, double factor, const State &b)
 {
   State result;
-  for (std::size_t k = 0; k < a.size(); ++k) result[k] = a[k] + factor * b[k];
+  for (std::size_t k = 0; k < a.size(); k++) result[k] = a[k] + factor * b[k];
   return result;
 }
 
@@ -121,7 +121,7 @@ Quaternion integrated(const Top &top, double time, int steps)
   const auto rate = [&](const State &s) {
     return rate_of_change(s, top.inertia_axial, top.inertia_transverse);
   };
-  for (int step = 0; step < steps; ++step) {
+  for (int step = 0; step < steps; step++) {
     const State k1 = rate(state);
     const State k2 = rate(sum(state, 0.5 * dt, k1));
     const State k3 = rate(sum(state, 0.5 * dt, k2));
@@ -157,7 +157,7 @@ TEST(FreeRotation, KeepsUnitNorm)
   double worst = 0.0;
   for_random_tops(20, [&](const Top &top, RandomRods &random) {
     Quaternion q = top.start;
-    for (int step = 0; step < 1000; ++step) {
+    for (int step = 0; step < 1000; step++) {
       q = top.moved(q, random.log_uniform(1e-9, 10.0));
       worst = std::max(worst, std::fabs(norm(q) - 1.0));
     }
@@ -169,7 +169,7 @@ TEST(FreeRotation, KeepsUnitNorm)
 // A step rounds the axis by about one epsilon in any direction.
 TEST(FreeRotation, KeepsConeAngle)
 {
-  constexpr int steps = 10000;
+  constexpr int kSteps = 10000;
   double worst = 0.0;
   for_random_tops(5, [&](const Top &top, RandomRods &) {
     const double omega_3 = dot(angular_velocity(top.angular_momentum, axis_of(top.start),
@@ -177,32 +177,32 @@ TEST(FreeRotation, KeepsConeAngle)
                                axis_of(top.start));
     const double cone = top.inertia_axial * omega_3 / norm(top.angular_momentum);
     Quaternion q = top.start;
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < kSteps; step++) {
       q = top.moved(q, 0.1 / top.rate());
       worst = std::max(worst, std::fabs(dot(axis_of(q), top.precession_axis()) - cone));
     }
   });
-  std::printf("cone angle after %d steps: worst drift of the cosine %.1e\n", steps, worst);
-  EXPECT_LT(worst, steps * kEpsilon);
+  std::printf("cone angle after %d steps: worst drift of the cosine %.1e\n", kSteps, worst);
+  EXPECT_LT(worst, kSteps * kEpsilon);
 }
 
 // Closed form: the axis turns about L at |L|/I_t. A million steps of 0.01 rad; rounding adds up to
 // at most one epsilon a step in the axis and one in the angle of that step.
 TEST(FreeRotation, PrecessesAtClosedFormRate)
 {
-  constexpr int steps = 1000000;
+  constexpr int kSteps = 1000000;
   RandomRods random(49979687);
   for (const double aspect_ratio : kAspectRatios) {
     const Top top = random_top(random, 0.01, aspect_ratio);
     const double dt = 0.01 / top.precession_rate();
     Quaternion q = top.start;
-    for (int step = 0; step < steps; ++step) q = top.moved(q, dt);
-    const long double angle = static_cast<long double>(top.precession_rate()) * dt * steps;
+    for (int step = 0; step < kSteps; step++) q = top.moved(q, dt);
+    const long double angle = static_cast<long double>(top.precession_rate()) * dt * kSteps;
     const Vec3 expected = turned(axis_of(top.start), top.precession_axis(), angle);
     const double error = norm(axis_of(q) - expected);
     std::printf("lambda %4.1f: axis error %.1e after %d steps, %.0f rad\n", aspect_ratio, error,
-                steps, static_cast<double>(angle));
-    EXPECT_LT(error, steps * kEpsilon);
+                kSteps, static_cast<double>(angle));
+    EXPECT_LT(error, kSteps * kEpsilon);
   }
 }
 
@@ -212,19 +212,19 @@ TEST(FreeRotation, PrecessesAtClosedFormRate)
 // its own axis is good to epsilon |L|/I_a times the time only, also for a rod that hardly spins.
 TEST(FreeRotation, StepsCompose)
 {
-  constexpr int steps = 1000;
+  constexpr int kSteps = 1000;
   double worst_axis = 0.0, worst_body = 0.0;
   for_random_tops(20, [&](const Top &top, RandomRods &random) {
-    const double dt = random.log_uniform(1e-6, 10.0) / top.rate(), time = steps * dt;
+    const double dt = random.log_uniform(1e-6, 10.0) / top.rate(), time = kSteps * dt;
     Quaternion q = top.start;
-    for (int step = 0; step < steps; ++step) q = top.moved(q, dt);
+    for (int step = 0; step < kSteps; step++) q = top.moved(q, dt);
     const Quaternion once = top.after(time);
     const double precession = top.precession_rate() * time;
     const double fastest = norm(top.angular_momentum) / top.inertia_axial * time;
     worst_axis = std::max(worst_axis, norm(axis_of(q) - axis_of(once)) /
-                                          (kEpsilon * (steps + precession)));
+                                          (kEpsilon * (kSteps + precession)));
     worst_body = std::max(worst_body,
-                          orientation_difference(q, once) / (kEpsilon * steps * (1.0 + fastest)));
+                          orientation_difference(q, once) / (kEpsilon * kSteps * (1.0 + fastest)));
   });
   std::printf("composition: axis %.2f epsilon (steps + angle), body %.3f epsilon steps |L|t/I_a\n",
               worst_axis, worst_body);
@@ -253,7 +253,7 @@ TEST(FreeRotation, EulerEquationsConvergeToIt)
 {
   RandomRods random(67867967);
   for (const double aspect_ratio : kAspectRatios)
-    for (int k = 0; k < 10; ++k) {
+    for (int k = 0; k < 10; k++) {
       const Top top = random_top(random, 0.01, aspect_ratio);
       const double time = 20.0 / top.rate();
       const Quaternion exact = top.after(time);
@@ -293,7 +293,7 @@ TEST(FreeRotation, SphereTurnsAboutItsAngularMomentum)
 {
   RandomRods random(86028121);
   for (const double diameter : kDiameters)
-    for (int k = 0; k < 1000; ++k) {
+    for (int k = 0; k < 1000; k++) {
       const Top top = random_top(random, diameter, 1.0);
       const double time = random.log_uniform(1e-3, 100.0) / top.precession_rate();
       const double angle = top.precession_rate() * time;
@@ -400,8 +400,8 @@ TEST(FreeRotationBatch, EachRodTurnsAsItDoesAlone)
 // As FreeRotation.PrecessesAtClosedFormRate.
 TEST(FreeRotationBatch, PrecessesAtClosedFormRate)
 {
-  constexpr int steps = 100000;
-  constexpr double dt = 1e-5;
+  constexpr int kSteps = 100000;
+  const double dt = 1e-5;
   RandomRods random(32452867);
   RodRotations rods{};
   std::vector<Top> tops;
@@ -411,7 +411,7 @@ TEST(FreeRotationBatch, PrecessesAtClosedFormRate)
     tops.push_back(top);
     set(rods, k, top, top.start);
   }
-  for (int step = 0; step < steps; step++) {
+  for (int step = 0; step < kSteps; step++) {
     rotate_freely(rods, dt);
     for (int k = 0; k < kBatch; k++) {
       ASSERT_EQ(rods.uncertain[k], 0.0);
@@ -420,12 +420,12 @@ TEST(FreeRotationBatch, PrecessesAtClosedFormRate)
   }
   double worst = 0.0;
   for (int k = 0; k < kBatch; k++) {
-    const long double angle = static_cast<long double>(tops[k].precession_rate()) * dt * steps;
+    const long double angle = static_cast<long double>(tops[k].precession_rate()) * dt * kSteps;
     const Vec3 expected = turned(axis_of(tops[k].start), tops[k].precession_axis(), angle);
     worst = std::max(worst, norm(axis_of(rods.before(k)) - expected));
   }
-  std::printf("batch: axis error %.1e after %d steps\n", worst, steps);
-  EXPECT_LT(worst, steps * kEpsilon);
+  std::printf("batch: axis error %.1e after %d steps\n", worst, kSteps);
+  EXPECT_LT(worst, kSteps * kEpsilon);
 }
 
 // An orientation that is off unit length, as a user's may be, is left to rotate_freely.
@@ -477,7 +477,7 @@ TEST(Orientation, AxisComesBackFromRandomDirections)
 {
   RandomRods random(15487469);
   double worst = 0.0;
-  for (int k = 0; k < 1000000; ++k) {
+  for (int k = 0; k < 1000000; k++) {
     const Vec3 axis = random.direction();
     const Quaternion q = orientation_of(axis);
     ASSERT_NEAR(norm(q), 1.0, 2 * kEpsilon);
@@ -488,7 +488,7 @@ TEST(Orientation, AxisComesBackFromRandomDirections)
 
 TEST(Orientation, AxisComesBackNearPolesAndEquator)
 {
-  for (int exponent = -300; exponent <= -1; ++exponent)
+  for (int exponent = -300; exponent <= -1; exponent++)
     for (const double z_sign : {1.0, -1.0})
       for (const Vec3 &axis : awkward_directions(std::pow(10.0, exponent), z_sign)) {
         const Quaternion q = orientation_of(axis);
@@ -502,7 +502,7 @@ TEST(Orientation, AxisComesBackNearPolesAndEquator)
 TEST(Orientation, IsTheShortestRotation)
 {
   RandomRods random(15487457);
-  for (int k = 0; k < 100000; ++k) {
+  for (int k = 0; k < 100000; k++) {
     const Vec3 axis = random.direction();
     const Quaternion q = orientation_of(axis);
     ASSERT_NEAR(q.z, 0.0, 4 * kEpsilon);

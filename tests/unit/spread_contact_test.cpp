@@ -64,7 +64,7 @@ double largest_jump(bool spread, bool tilting, double shift)
 {
   double worst = 0.0;
   Load last = load_of(tilting ? stacked(-5e-3, 0.0, shift) : stacked(0.0, -5e-3, shift), spread);
-  for (int k = -4999; k <= 5000; ++k) {
+  for (int k = -4999; k <= 5000; k++) {
     const double angle = 1e-6 * k;
     const Load load =
         load_of(tilting ? stacked(angle, 0.0, shift) : stacked(0.0, angle, shift), spread);
@@ -125,7 +125,7 @@ TEST(SpreadContact, ForceIsContinuousInTheOverlap)
 {
   for (const double tilt : {0.0, 1e-4, 1e-3, 1e-2}) {
     double last = 0.0;
-    for (int k = 0; k <= 2000; ++k) {
+    for (int k = 0; k <= 2000; k++) {
       Scene scene = stacked(tilt, 0.3 * tilt, 1.0);
       scene.j.centre.z = kReach + kHalf * std::sin(tilt) + 0.001 - 1e-5 * k;
       const double force = norm(load_of(scene, true).force);
@@ -146,7 +146,7 @@ TEST(SpreadContact, NoJumpWhereRodsComeToLieSideBySide)
       const double along = 2.0 * kHalf;  // where the ends pass each other
       Load last{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
       double worst = 0.0;
-      for (int k = 0; k <= 400000; ++k) {
+      for (int k = 0; k <= 400000; k++) {
         const double shift = along - 0.2 + 1e-6 * k;
         // The near end of j stays at the same height above i.
         scene.j.centre = {shift, 0.0, kReach - kOverlap + kHalf * std::sin(tilt)};
@@ -239,9 +239,9 @@ Scene any_spread(RandomRods &random)
 TEST(SpreadContact, ForceAndTorquesAreDerivativesOfItsEnergy)
 {
   RandomRods random(15485867);
-  constexpr double step = 1e-6;
+  constexpr double kStep = 1e-6;
   double worst_force = 0.0, worst_torque = 0.0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 20000; k++) {
     const Scene scene = any_spread(random);
     const RodContact contact =
         spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
@@ -252,7 +252,7 @@ TEST(SpreadContact, ForceAndTorquesAreDerivativesOfItsEnergy)
            {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
         double moved[2], turned[2];
         for (const int side : {0, 1}) {
-          const double by = side ? step * contact.overlap : -step * contact.overlap;
+          const double by = side ? kStep * contact.overlap : -kStep * contact.overlap;
           Scene other = scene;
           Segment &rod = on_j ? other.j : other.i;
           rod.centre = rod.centre + by * direction;
@@ -262,8 +262,8 @@ TEST(SpreadContact, ForceAndTorquesAreDerivativesOfItsEnergy)
           rod.axis = (1.0 / norm(axis)) * axis;
           turned[side] = energy_of(other);
         }
-        const double force = -(moved[1] - moved[0]) / (2.0 * step * contact.overlap);
-        const double torque = -(turned[1] - turned[0]) / (2.0 * step * contact.overlap / lever);
+        const double force = -(moved[1] - moved[0]) / (2.0 * kStep * contact.overlap);
+        const double torque = -(turned[1] - turned[0]) / (2.0 * kStep * contact.overlap / lever);
         const Vec3 own = on_j ? -load.force : load.force;
         const Vec3 couple = on_j ? load.torque_j : load.torque_i;
         worst_force = std::max(worst_force, std::fabs(force - dot(own, direction)) / size);
@@ -281,7 +281,7 @@ TEST(SpreadContact, HasNoTotalTorque)
 {
   RandomRods random(32452867);
   double worst = 0.0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 20000; k++) {
     const Scene scene = any_spread(random);
     const RodContact contact =
         spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
@@ -300,7 +300,7 @@ TEST(SpreadContact, StiffnessIsThatOfOneContact)
 {
   RandomRods random(15485863);
   double lowest = 1.0;
-  for (int k = 0; k < 200000; ++k) {
+  for (int k = 0; k < 200000; k++) {
     const Scene scene = stacked(random.uniform(-0.01, 0.01) * random.uniform(0.0, 1.0),
                                 random.uniform(-0.3, 0.3) * random.uniform(0.0, 1.0),
                                 random.uniform(-8.0, 8.0));
@@ -330,7 +330,7 @@ TEST(SpreadContact, IsTheSameFromEitherRod)
 {
   RandomRods random(32452843);
   int spread = 0;
-  for (int k = 0; k < 200000; ++k) {
+  for (int k = 0; k < 200000; k++) {
     Scene scene = stacked(random.uniform(-0.01, 0.01), random.uniform(-0.1, 0.1),
                           random.uniform(-8.0, 8.0));
     scene.j.half_length *= random.uniform(0.2, 1.0);
