@@ -14,14 +14,16 @@ struct ContactBatch {
   spherocylinder::ContactArms arms{};
   spherocylinder::ContactLoads loads{};
 
-  int i[spherocylinder::kBatch]{}, j[spherocylinder::kBatch]{};  // places in memory; of a wall j is -1
+  // Places in memory; of a wall j is -1.
+  int i[spherocylinder::kBatch]{}, j[spherocylinder::kBatch]{};
   int type_i[spherocylinder::kBatch]{}, type_j[spherocylinder::kBatch]{};
   // One number for all that does not move of both, RodKinds::kNone where there is none. What a law has
   // once worked out for a place in the batch holds while its number stays.
   int kind[spherocylinder::kBatch]{};
-  int end[spherocylinder::kBatch]{};          // of a rod at a wall: 0 at -u, 1 at +u; 0 of a pair
-  int *flags[spherocylinder::kBatch]{};       // of LIGGGHTS's contact, null without
-  double *history[spherocylinder::kBatch]{};  // the models' values, null without; both ends' at a wall
+  int end[spherocylinder::kBatch]{};     // of a rod at a wall: 0 at -u, 1 at +u; 0 of a pair
+  int *flags[spherocylinder::kBatch]{};  // of LIGGGHTS's contact, null without
+  // The models' values, null without; both ends' at a wall.
+  double *history[spherocylinder::kBatch]{};
 
   // What contacts spread over nearly parallel rods push beside the law's force, over the stiffness: see
   // spherocylinder::RodContact.

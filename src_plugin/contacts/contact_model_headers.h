@@ -6,5 +6,7 @@
 #include "neighbor.h"
 #include "fix_mesh_surface.h"
 #include "vector_liggghts.h"
+// clang-format on
 #include "modify.h"
+// clang-format off
 #include "contact_models.h"

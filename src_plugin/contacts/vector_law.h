@@ -36,7 +36,8 @@ class VectorLaw : public ContactLaw, protected Pointers {
   int kinds_[spherocylinder::kBatch];  // that materials_ are of
 
   double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
-  int types_ = 0;  // of the properties: LIGGGHTS holds those up to the highest type in use on any rank
+  // Of the properties: LIGGGHTS holds those up to the highest type in use on any rank.
+  int types_ = 0;
   std::vector<double> seen_;  // all properties, of all pairs of materials
 
   bool properties_have_changed();

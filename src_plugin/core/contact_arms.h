@@ -10,7 +10,7 @@ namespace spherocylinder {
 // Space frame, SI units. i and j are the two bodies of a contact; a wall is a j at rest but for its
 // surface, of no radius and infinite mass.
 struct ContactArms {
-  Vec3s arm_i, arm_j;            // from the centre to the point on the axis that the contact sits at
+  Vec3s arm_i, arm_j;            // from the centre to the point on the axis that holds the contact
   Vec3s velocity_i, velocity_j;  // of the centres
   Vec3s omega_i, omega_j;
   Doubles inverse_mass_i, inverse_mass_j;

@@ -198,7 +198,7 @@ bigint AtomVecSpherocylinder::memory_usage()
     if (!atom->memcheck(field.name)) continue;
     const bigint values =
         static_cast<bigint>(nmax) * field.width * (field.travel & kReverse ? comm->nthreads : 1);
-    const bool is_whole_number = std::holds_alternative<int *Atom::*>(field.array);
+    const bool is_whole_number = std::holds_alternative<RodField::WholeNumbers>(field.array);
     bytes += values * (is_whole_number ? sizeof(int) : sizeof(double));
   }
   return bytes;
@@ -371,7 +371,8 @@ void AtomVecSpherocylinder::unpack_border_vel(int n, int first, double *buf)
 
 int AtomVecSpherocylinder::new_atom()
 {
-  if (watcher_) watcher_->places_change();  // a new rod takes that of a ghost, whose id a contact may want
+  // A new rod takes that of a ghost, whose id a contact may want.
+  if (watcher_) watcher_->places_change();
   if (atom->nlocal == nmax) grow(0);
   return atom->nlocal;
 }

@@ -18,6 +18,7 @@ enum Travel : unsigned {
   kBorder = 8,           // to new ghosts
   kBorderVelocity = 16,
   kWhole = 32,           // with the rod to another rank and to a restart file
+
   // Of these, what a ghost's gain across a periodic boundary:
   kGainsPeriod = 64,    // the period
   kGainsBoxSpeed = 128,  // the speed at which a box that shears parts from its image
@@ -25,8 +26,12 @@ enum Travel : unsigned {
 };
 
 struct RodField {
+  using WholeNumbers = int *Atom::*;
+  using Numbers = double *Atom::*;
+  using Rows = double **Atom::*;
+
   const char *name;
-  std::variant<int *Atom::*, double *Atom::*, double **Atom::*> array;
+  std::variant<WholeNumbers, Numbers, Rows> array;
   int width;        // of a row
   unsigned travel;  // Travel
   int sent = width; // values of a row that travel, its first

@@ -52,7 +52,8 @@ constexpr Numbers kNumbers[] = {
     {"ntry_mc", nullptr, 1, nullptr, true},
     {"extrude_length", nullptr, 1, nullptr},
     {"duration", nullptr, 1, nullptr, true},
-    {"duration_time", nullptr, 1, nullptr}};
+    {"duration_time", nullptr, 1, nullptr},
+};
 
 // Keywords whose value is a name that may be spelled like a keyword.
 constexpr const char *kNames[] = {"distributiontemplate", "region", "insertion_face",

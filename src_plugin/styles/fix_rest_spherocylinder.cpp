@@ -186,7 +186,8 @@ void FixRestSpherocylinder::end_run_now()
 // thermo output. The next run is another one though reset_timestep may give it the same first step.
 void FixRestSpherocylinder::post_run()
 {
-  const bool ended_this_run = ended_run_ && run_began_ != kNever;  // a run of no steps ends by itself
+  // A run of no steps ends by itself.
+  const bool ended_this_run = ended_run_ && run_began_ != kNever;
   run_began_ = kNever;
   if (asked_to_quit_) SignalHandler::request_quit = false;
   asked_to_quit_ = false;

@@ -39,6 +39,7 @@ constexpr Keyword kOurs[] = {{"diameter", 1}, {"length", 1},      {"shape", 3},
                              {"quat_direct", 4}, {"quat/random", 1}, {"angmom", 3}};
 
 // LIGGGHTS's own, by the number of values that follow; `property/atom` takes the rest of the line.
+// clang-format off
 constexpr Keyword kStock[] = {
     {"type", 1},   {"type/fraction", 3}, {"mol", 1},    {"x", 1},        {"y", 1},
     {"z", 1},      {"vx", 1},            {"vy", 1},     {"vz", 1},       {"omegax", 1},
@@ -47,6 +48,7 @@ constexpr Keyword kStock[] = {
     {"improper", 1}, {"meso_e", 1},      {"meso_cv", 1}, {"meso_rho", 1}, {"sphkernel", 1},
     {"smd/mass/density", 1}, {"smd/contact/radius", 1}, {"add", 1}, {"until", 1},
     {"property/atom", INT_MAX}};
+// clang-format on
 
 struct Refusal {
   const char *name, *instead;

@@ -25,7 +25,7 @@ struct MeasuredRestitution {
   double elevation = 0.0;        // degrees
   double dt_over_contact = 0.0;  // time step / duration of this contact
   double measured = 0.0;         // normal velocity of the contact point after / before
-  double mass_ratio = 1.0;       // mass of the rods (m, or m/2 of two) / effective mass at the contact
+  double mass_ratio = 1.0;       // rods' mass (m, or m/2 of two) / effective mass at the contact
   double error() const;          // |measured - wanted| / wanted
 };
 

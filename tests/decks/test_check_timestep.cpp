@@ -53,7 +53,8 @@ double stable_step()
   const double m = rod.mass(), I_t = properties.inertia_transverse,
                I_a = properties.inertia_axial;
   const double a = rod.half_cylinder();
-  const double c = rod.radius() - 0.5 * m * 9.81 / (2.0 * kKn);  // contact point: midway in the overlap
+  // Contact point: midway in the overlap.
+  const double c = rod.radius() - 0.5 * m * 9.81 / (2.0 * kKn);
   const double trace = 2.0 * (kKn * (1.0 / m + a * a / I_t) +
                               kKt * (2.0 / m + a * a / I_t + c * c / I_a + c * c / I_t));
   return 2.0 / std::sqrt(trace);
@@ -67,7 +68,8 @@ TEST(CheckTimestep, StatesTheStableStepOfARestingRod)
     const DeckFolder folder;
     const Outcome outcome = run_resting_rod(folder, "10 0.5", ranks);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-    const auto row = read_thermo(outcome.output).rows.back();  // step, fraction, stable step, contacts
+    // Step, fraction, stable step, contacts.
+    const auto row = read_thermo(outcome.output).rows.back();
     EXPECT_NEAR(row[2], stable_step(), 1e-6 * stable_step()) << ranks << " ranks";
     EXPECT_NEAR(row[1], 2e-5 / stable_step(), 1e-6);
     EXPECT_EQ(row[3], 2.0);

@@ -192,6 +192,7 @@ void expect_words_in_library(const Names &names)
 
 TEST(HostWords, OfWhatHasNoMapAndNoHeader)
 {
+  // clang-format off
   const std::map<HostKind, Names> by_hand = {
       {HostKind::BuiltIn,
        {"angle_coeff", "angle_style", "atom_modify", "atom_style", "bond_coeff", "bond_style",
@@ -216,6 +217,7 @@ TEST(HostWords, OfWhatHasNoMapAndNoHeader)
         "particlerate", "particles_in_region", "random_distribute", "region", "save_template",
         "seed", "set_property", "start", "vel", "verbose", "volumefraction_region",
         "warn_region"}}};
+  // clang-format on
   for (const auto &[kind, names] : by_hand) {
     expect_same(table(kind), names, word_for(kind));
     expect_words_in_library(names);

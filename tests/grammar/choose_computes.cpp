@@ -13,6 +13,7 @@ struct Choice {
   char shown;  // s: a scalar, v: a vector's first value, a: per atom, A: per atom, first column
 };
 
+// clang-format off
 const Choice kOrdinary[] = {
     {"ke", 's'}, {"com", 'v'}, {"gyration", 's'}, {"msd", 'v'}, {"ke/atom", 'a'},
     {"property/atom vx", 'a'}, {"property/atom fx omegax tqx", 'A'}, {"pressure thermo_temp", 's'},
@@ -29,6 +30,7 @@ const Choice kDoubtful[] = {
     {"heat/flux a b c", 'v'}, {"nonsense", 's'}, {"group/group all", 's'}, {"erotate/asphere", 's'},
     {"erotate/superquadric", 's'}, {"temp/asphere", 's'}, {"pair gran", 's'},
     {"bond/local dist", 's'}, {"voronoi/atom", 'A'}, {"inertia/molecule", 's'}};
+// clang-format on
 
 void show(Draft &draft, const std::string &id, const Choice &choice)
 {

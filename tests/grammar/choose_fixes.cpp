@@ -225,6 +225,7 @@ void add_doubtful(Draft &draft)
 {
   Random &random = draft.random;
   const std::string group = draft.has_part() && random.chance(0.5) ? "part" : "all";
+  // clang-format off
   const std::string text = random.pick({
       "nve", "nve/sphere", "nve/limit 0.001", "nve/noforce", "rigid single", "enforce2d",
       "adapt 10 atom diameter v_grow", "check/timestep/gran 10 0.1 0.1", "wall/reflect zlo EDGE",
@@ -233,6 +234,7 @@ void add_doubtful(Draft &draft)
       "dt/reset 10 1.0e-6 1.0e-5 0.001", "cfd/coupling every 10 file", "box/relax iso 0.0",
       "multisphere", "continuum/weighted", "lb/couple/onetoone", "nonsense 1 2 3",
       "ave/euler nevery 10 cell_size_relative 3.0 parallel no", "external pf/callback 1 1"});
+  // clang-format on
   draft.fix_text += fmt::format("variable grow equal 0.01+1e-6*step\nfix doubtful {} {}\n", group,
                                 text);
   if (text == "heat/gran/conduction initial_temperature 300.0") {
