@@ -4,11 +4,11 @@
 // `each` is what counts.
 //   cmake --preset release -DSPHEROCYLINDER_BENCHMARKS=ON && cmake --build --preset release
 //   build/release/bench_kernels
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <random>
 #include <vector>
+
+#include <benchmark/benchmark.h>
 
 #include "core/closest_points.h"
 #include "core/closest_points_batch.h"

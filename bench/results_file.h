@@ -2,19 +2,18 @@
 // A table of a sweep, in bench/results of the build folder. Those of bench/results are kept copies.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 class ResultsFile {
  public:
   // The header names the columns with their units. Rows reach the disk as they come, so that a
   // sweep that is stopped leaves what it has.
-  ResultsFile(const std::string &name, const std::string &header)
-      : file_(open(name))
+  ResultsFile(const std::string &name, const std::string &header) : file_(open(name))
   {
     if (!file_) throw std::runtime_error("cannot write " RESULTS_FOLDER "/" + name);
     line(header);

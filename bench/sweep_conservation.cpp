@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a gas of 500 rods keeps over long runs: momentum, angular momentum, energy at five time
 // steps, the same motion on one, two and four ranks.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "conservation.h"
@@ -67,9 +67,10 @@ TEST(SweepConservation, EnergyOfAnElasticGas)
       const EnergyDrift d = energy_of_elastic_gas(gas, steps, kContacts, false);
       csv.row("{},{},{:.3e},{:.0f},{:.2e},{:.2e},{:.2e}", aspect_ratio, steps, d.dt, d.collisions,
               d.drift / d.collisions, d.largest, d.largest / std::sqrt(d.collisions));
-      fmt::print("lambda {:<3} {:>4} steps: {:.0f} collisions, drift per collision {:+.1e}, largest "
-                 "error {:.1e}\n",
-                 aspect_ratio, steps, d.collisions, d.drift / d.collisions, d.largest);
+      fmt::print(
+          "lambda {:<3} {:>4} steps: {:.0f} collisions, drift per collision {:+.1e}, largest "
+          "error {:.1e}\n",
+          aspect_ratio, steps, d.collisions, d.drift / d.collisions, d.largest);
       std::fflush(stdout);
       dt.push_back(d.dt);
       errors.push_back(d.largest);
@@ -97,12 +98,13 @@ TEST(SweepConservation, EnergyBetweenContacts)
       std::vector<double> dt, errors;
       for (const int steps : {20, 80}) {
         const EnergyBetweenContacts e = energy_between_contacts(gas, steps, kThinContacts, spread);
-        csv.row("{},{},{},{:.0f},{},{:.2e},{:.2e},{:.2e}", aspect_ratio, spread ? "on" : "off", steps,
-                e.collisions, e.readings, e.drift, e.largest, e.largest_change);
-        fmt::print("lambda {:<3} spread_contact {:<3} {:>4} steps: {:.0f} collisions, {} readings, drift "
-                   "{:+.1e}, largest {:.1e}, largest change {:.1e}\n",
-                   aspect_ratio, spread ? "on" : "off", steps, e.collisions, e.readings, e.drift,
-                   e.largest, e.largest_change);
+        csv.row("{},{},{},{:.0f},{},{:.2e},{:.2e},{:.2e}", aspect_ratio, spread ? "on" : "off",
+                steps, e.collisions, e.readings, e.drift, e.largest, e.largest_change);
+        fmt::print(
+            "lambda {:<3} spread_contact {:<3} {:>4} steps: {:.0f} collisions, {} readings, drift "
+            "{:+.1e}, largest {:.1e}, largest change {:.1e}\n",
+            aspect_ratio, spread ? "on" : "off", steps, e.collisions, e.readings, e.drift,
+            e.largest, e.largest_change);
         std::fflush(stdout);
         dt.push_back(e.dt);
         errors.push_back(e.largest);

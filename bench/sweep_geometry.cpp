@@ -5,11 +5,11 @@
 // c + s u in double precision is off by an epsilon or so of its coordinates, so that a distance
 // below 1/1000 of the coordinates has no twelve digits; there the bound is in epsilons of the
 // coordinates (tests/unit/closest_points_test.cpp).
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "closest_points_reference.h"
@@ -83,9 +83,8 @@ void Worst::add(const SizedPair &sized)
     }
   }
   keep_larger(swapped, std::fabs(d - distance(j, i)) / unit);
-  for (const double other :
-       {distance(::reversed(i), j), distance(i, ::reversed(j)),
-        distance(::reversed(i), ::reversed(j))})
+  for (const double other : {distance(::reversed(i), j), distance(i, ::reversed(j)),
+                             distance(::reversed(i), ::reversed(j))})
     keep_larger(reversed, std::fabs(d - other) / unit);
 
   if (d >= diameter) return;
@@ -94,8 +93,8 @@ void Worst::add(const SizedPair &sized)
   if (d < (1.0 - kBedOverlap) * diameter) return;
   const double spread = spread_distance(i, j, diameter);
   keep_larger(spread_swapped, std::fabs(spread - spread_distance(j, i, diameter)) / diameter);
-  for (const double other : {spread_distance(::reversed(i), j, diameter),
-                             spread_distance(i, ::reversed(j), diameter)})
+  for (const double other :
+       {spread_distance(::reversed(i), j, diameter), spread_distance(i, ::reversed(j), diameter)})
     keep_larger(spread_reversed, std::fabs(spread - other) / diameter);
 }
 
@@ -130,13 +129,17 @@ TEST(SweepGeometry, AllFamilies)
     keep_larger(all.swapped, worst.swapped);
     keep_larger(all.reversed, worst.reversed);
   }
-  decks::expect_holds({"Distance of segments, relative", "nine faces, quadruple precision",
-                       kRelative}, all.relative);
-  decks::expect_holds({"Distance of segments, of the coordinates",
-                       "nine faces, quadruple precision", kRoundOff}, all.of_epsilons * kEpsilon);
+  decks::expect_holds(
+      {"Distance of segments, relative", "nine faces, quadruple precision", kRelative},
+      all.relative);
+  decks::expect_holds(
+      {"Distance of segments, of the coordinates", "nine faces, quadruple precision", kRoundOff},
+      all.of_epsilons * kEpsilon);
   // Either of two distances may be off by the bound above.
-  decks::expect_holds({"Distance of segments, i and j swapped, of the coordinates", "same pair",
-                       2.0 * kRoundOff}, all.swapped * kEpsilon);
-  decks::expect_holds({"Distance of segments, u -> -u, of the coordinates", "same pair",
-                       2.0 * kRoundOff}, all.reversed * kEpsilon);
+  decks::expect_holds(
+      {"Distance of segments, i and j swapped, of the coordinates", "same pair", 2.0 * kRoundOff},
+      all.swapped * kEpsilon);
+  decks::expect_holds(
+      {"Distance of segments, u -> -u, of the coordinates", "same pair", 2.0 * kRoundOff},
+      all.reversed * kEpsilon);
 }

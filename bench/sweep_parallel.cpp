@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the two rules for the contact of nearly parallel rods do (docs/notes/parallel_rods.md): the
 // plain closest point and spread_contact. Each scene is run with both; one CSV line a figure.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "convergence.h"
 #include "core/spread_contact.h"
@@ -61,18 +61,20 @@ MeetingErrors elastic_meetings(bool spread, double aspect_ratio, double tilts, d
     const double tilt = std::pow(10.0, -6.0 + tilts * unit(random));
     const double turn = std::pow(10.0, -6.0 + 5.0 * unit(random));
     upper.axis = normalized({1.0, turn, tilt});
-    upper.position = lower.position +
-                     Vec3{0.6 * upper.length * (unit(random) - 0.5), 0.0,
-                          upper.diameter + upper.half_cylinder() * tilt + 1e-4 * speed};
+    upper.position =
+        lower.position + Vec3{0.6 * upper.length * (unit(random) - 0.5), 0.0,
+                              upper.diameter + upper.half_cylinder() * tilt + 1e-4 * speed};
     lower.velocity.z = 0.5 * speed;
     upper.velocity.z = -0.5 * speed;
     scene.rods.push_back(lower);
     scene.rods.push_back(upper);
   }
   scene.physics = linear_material(kStiffness, kStiffness, 1.0, 0.0) +
-                  pair_line("linear tangential off", spread) + "fix motion all nve/spherocylinder\n";
+                  pair_line("linear tangential off", spread) +
+                  "fix motion all nve/spherocylinder\n";
   // End on end: m_eff = m/8.
-  scene.dt = 3.14159265358979 * std::sqrt(scene.rods[0].mass() / 8.0 / kStiffness) / steps_a_contact;
+  scene.dt =
+      3.14159265358979 * std::sqrt(scene.rods[0].mass() / 8.0 / kStiffness) / steps_a_contact;
   scene.steps = 80 * steps_a_contact;
   const Frame end = run(scene).back();
   const std::vector<Rod> &after = end.rods;
@@ -244,12 +246,12 @@ void sliding_in_groove(bool spread)
   scene.rods = {rod, left, right};
   scene.box_lo[0] = -1.5;
   scene.box_hi[0] = 1.5;
-  scene.physics =
-      linear_material(kStiffness, kStiffness, 0.5, friction) +
-      pair_line("linear tangential history", spread) +
-      "group supports id 2 3\ngroup free id 1\n"
-      "fix hold supports freeze\nfix motion free nve/spherocylinder\n" +
-      fmt::format("fix weight all gravity 9.81 vector {} 0 {}\n", std::sin(slope), -std::cos(slope));
+  scene.physics = linear_material(kStiffness, kStiffness, 0.5, friction) +
+                  pair_line("linear tangential history", spread) +
+                  "group supports id 2 3\ngroup free id 1\n"
+                  "fix hold supports freeze\nfix motion free nve/spherocylinder\n" +
+                  fmt::format("fix weight all gravity 9.81 vector {} 0 {}\n", std::sin(slope),
+                              -std::cos(slope));
   scene.dt = 1e-5;
   scene.steps = 40000;
   scene.dump_every = 100;
@@ -276,7 +278,9 @@ void torque_jump(bool spread)
   for (int k = -5000; k <= 5000; k++) {
     const double tilt = 1e-6 * k;
     const sc::Segment i{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, half};
-    const sc::Segment j{{0.01, 0.0, diameter - overlap}, {std::cos(tilt), 0.0, std::sin(tilt)}, half};
+    const sc::Segment j{{0.01, 0.0, diameter - overlap},
+                        {std::cos(tilt), 0.0, std::sin(tilt)},
+                        half};
     const sc::ClosestPoints closest = sc::closest_points(i, j);
     sc::RodContact contact{closest, diameter - std::sqrt(closest.distance_squared)};
     if (spread) contact = sc::spread_contact(i, j, diameter, closest);
@@ -297,9 +301,10 @@ void torque_jump(bool spread)
 // those of the closest point.
 TEST(SweepParallel, MeetingsOfShortRods)
 {
-  ResultsFile table("parallel_short_rods.csv",
-                    "aspect_ratio,spread_contact,steps_per_contact,meetings,mean_relative_energy_error,"
-                    "rms_relative_energy_error,worst_relative_energy_error");
+  ResultsFile table(
+      "parallel_short_rods.csv",
+      "aspect_ratio,spread_contact,steps_per_contact,meetings,mean_relative_energy_error,"
+      "rms_relative_energy_error,worst_relative_energy_error");
   for (const double aspect_ratio : {1.5, 2.0, 3.0, 5.0, 10.0}) {
     double finest[2] = {0.0, 0.0};
     for (const bool spread : {false, true}) {
@@ -308,8 +313,9 @@ TEST(SweepParallel, MeetingsOfShortRods)
         const MeetingErrors errors = elastic_meetings(spread, aspect_ratio, 5.5, 1.0, steps);
         table.row("{},{},{},{},{:.3e},{:.3e},{:.3e}", aspect_ratio, spread ? "on" : "off", steps,
                   errors.parted, errors.mean, errors.rms, errors.worst);
-        fmt::print("lambda {}, spread_contact {}, {} steps: mean {:.1e}, rms {:.1e}, worst {:.1e}\n",
-                   aspect_ratio, spread ? "on" : "off", steps, errors.mean, errors.rms, errors.worst);
+        fmt::print(
+            "lambda {}, spread_contact {}, {} steps: mean {:.1e}, rms {:.1e}, worst {:.1e}\n",
+            aspect_ratio, spread ? "on" : "off", steps, errors.mean, errors.rms, errors.worst);
         std::fflush(stdout);
         dt.push_back(1.0 / steps);
         rms.push_back(errors.rms);

@@ -5,10 +5,10 @@
 // A second table says where the error comes from: a single damped oscillator, integrated in the
 // same way (kick, drift, force with the velocity of the half step, kick), and with the damping
 // force taken from the velocity at the full step instead.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "convergence.h"
@@ -91,8 +91,7 @@ void sweep(Partner partner, const std::string &name)
 }
 
 // What x'' = -x - 2 beta x' (x < 0) makes of v = -1 that starts `phase` + 2 steps before x = 0.
-double restitution_of_scheme(double restitution, double dt, double phase,
-                             bool half_step_velocity)
+double restitution_of_scheme(double restitution, double dt, double phase, bool half_step_velocity)
 {
   const double beta = -std::log(restitution) / std::hypot(std::acos(-1.0), std::log(restitution));
   double x = (2.0 + phase) * dt, v = -1.0, force = 0.0;

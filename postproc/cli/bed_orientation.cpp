@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "measures/close_pairs.h"
-#include "io/input_error.h"
 #include "core/numbers.h"
+#include "io/input_error.h"
+#include "measures/close_pairs.h"
 #include "solid/capsule_measures.h"
 
 namespace spherocylinder {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMostWallBins = 10000;
 constexpr std::size_t kMostAxesOfBin = 2000;  // of a bin of the distance, paired
-constexpr double kPackingTolerance = 1e-4;  // relative, of the rods' volume in the inner cylinder
+constexpr double kPackingTolerance = 1e-4;    // relative, of the rods' volume in the inner cylinder
 
 constexpr OverFiles kSame = OverFiles::Same, kSum = OverFiles::Sum, kMean = OverFiles::Mean,
                     kError = OverFiles::Error, kScatter = OverFiles::Scatter;
@@ -61,8 +61,8 @@ Order order_of(const std::vector<Rod> &rods, const OrientationOptions &options,
   order.nematic = axes.empty() ? NematicOrder{none, {none, none, none}, none} : nematic_order(axes);
   order.squared_order = unbiased_squared_order(axes);
   order.azimuthal = azimuthal_order(axes);
-  order.radial = has_side(vessel) ? radial_order(rods, vessel->x, vessel->y)
-                                  : MeanWithError{none, none};
+  order.radial =
+      has_side(vessel) ? radial_order(rods, vessel->x, vessel->y) : MeanWithError{none, none};
   order.sin_gamma = sin_gamma_of_pairs(axes, most_axes);
   order.random_contact = random_contact(mean_lambda(rods), order.sin_gamma, options.half_contacts);
   return order;
@@ -118,8 +118,7 @@ MeasuredFraction measured_fraction(const Bed &bed, const OrientationOptions &opt
 void measure_near_pairs(const Bed &bed, const std::vector<Rod> &rods, double near,
                         BedOrientation &found)
 {
-  const auto pairs =
-      close_pairs(rods, periodicity_of(bed.frame), near * largest_diameter(rods));
+  const auto pairs = close_pairs(rods, periodicity_of(bed.frame), near * largest_diameter(rods));
   found.near_pairs = pairs.size();
   found.near_sin_gamma = mean_of(pairs, [](const ClosePair &pair) { return pair.sin_gamma; });
 }
@@ -128,8 +127,7 @@ std::vector<ElevationRow> rows_of(std::int64_t step, const std::vector<Elevation
                                   double low, double high)
 {
   std::vector<ElevationRow> rows;
-  for (const ElevationBin &bin : histogram)
-    rows.push_back({step, rows.size() + 1, bin, low, high});
+  for (const ElevationBin &bin : histogram) rows.push_back({step, rows.size() + 1, bin, low, high});
   return rows;
 }
 
@@ -150,14 +148,17 @@ Fields<Order> order_fields()
   using O = Order;
   Fields<O> fields;
   fields.add("rods", kSum, [](const O &o) { return o.rods; });
-  fields.add_mean("mean_elevation", [](const O &o) { return in_degrees(o.elevation); }, "_deg");
+  fields.add_mean(
+      "mean_elevation", [](const O &o) { return in_degrees(o.elevation); }, "_deg");
   fields.add_mean("mean_abs_uz", [](const O &o) { return o.abs_uz; });
   fields.add_mean("mean_uz2", [](const O &o) { return o.uz_squared; });
-  fields.add_mean("nematic_order",
-                  [](const O &o) { return MeanWithError{o.nematic.order, o.nematic.error}; });
+  fields.add_mean("nematic_order", [](const O &o) {
+    return MeanWithError{o.nematic.order, o.nematic.error};
+  });
   add_square(fields, "nematic_order_squared", [](const O &o) { return o.squared_order; });
-  fields.add_mean("azimuthal_order",
-                  [](const O &o) { return MeanWithError{o.azimuthal.order, o.azimuthal.error}; });
+  fields.add_mean("azimuthal_order", [](const O &o) {
+    return MeanWithError{o.azimuthal.order, o.azimuthal.error};
+  });
   add_square(fields, "azimuthal_order_squared",
              [](const O &o) { return o.azimuthal.squared_unbiased; });
   fields.add_mean("radial_order", [](const O &o) { return o.radial; });

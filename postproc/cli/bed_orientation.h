@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cli/beds.h"
+#include "cli/result_table.h"
 #include "measures/orientation_statistics.h"
 #include "measures/packing_theory.h"
-#include "cli/result_table.h"
 
 namespace spherocylinder {
 
@@ -27,7 +27,7 @@ struct OrientationOptions {
 
 // What is measured of any set of rods: a bed, or those at some distance from a wall.
 struct Order {
-  std::size_t rods;  // with an axis
+  std::size_t rods;                             // with an axis
   MeanWithError elevation, abs_uz, uz_squared;  // elevation in rad
   NematicOrder nematic;
   double squared_order;
@@ -44,7 +44,7 @@ struct WallBin {
 };
 
 struct MeasuredFraction {
-  double whole, inner;  // as rod_packing gives them
+  double whole, inner;   // as rod_packing gives them
   double half_contacts;  // with which random contacts give the inner one
 };
 

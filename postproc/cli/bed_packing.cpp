@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "measures/close_pairs.h"
-#include "io/input_error.h"
 #include "core/numbers.h"
-#include "measures/orientation_statistics.h"
-#include "solid/overlap_volume.h"
-#include "measures/packing_theory.h"
 #include "core/parallel.h"
+#include "io/input_error.h"
+#include "measures/close_pairs.h"
+#include "measures/orientation_statistics.h"
+#include "measures/packing_theory.h"
 #include "solid/capsule_measures.h"
+#include "solid/overlap_volume.h"
 
 namespace spherocylinder {
 namespace {
@@ -39,10 +39,9 @@ void need_inner_heights(double floor, double bottom, double top)
     throw InputError(
         fmt::format("--inner-bottom: must be at least the floor {} (got {})", floor, bottom));
   if (!(bottom < top))
-    throw InputError(
-        fmt::format("--inner-bottom, --inner-top: the top must be above the bottom "
-                    "(got bottom {:.6g}, top {:.6g})",
-                    bottom, top));
+    throw InputError(fmt::format("--inner-bottom, --inner-top: the top must be above the bottom "
+                                 "(got bottom {:.6g}, top {:.6g})",
+                                 bottom, top));
 }
 
 // Where two rods overlap, and how much.
@@ -126,7 +125,12 @@ RegionPacking pack_box(const Bed &bed, const UprightBox &box, const std::vector<
   double twice = 0.0;
   for (const Overlap &overlap : overlaps)
     if (holds_place(box, overlap.place, bed.frame)) twice += overlap.volume.value;
-  return {none, box.z_low, box.z_high, space, solid.value / space, solid.error / space,
+  return {none,
+          box.z_low,
+          box.z_high,
+          space,
+          solid.value / space,
+          solid.error / space,
           (solid.value - twice) / space};
 }
 
@@ -144,7 +148,12 @@ void measure_in_box(const Bed &bed, const PackingOptions &options,
                       whole.z_low + dz, whole.z_high - dz);
   };
   const double space = volume(whole);
-  p.whole = {none, whole.z_low, whole.z_high, space, p.rods_volume / space, 0.0,
+  p.whole = {none,
+             whole.z_low,
+             whole.z_high,
+             space,
+             p.rods_volume / space,
+             0.0,
              (p.rods_volume - p.overlap_volume) / space};
   p.clipped = pack_box(bed, whole, overlaps, options.tolerance);
 
@@ -237,8 +246,7 @@ UprightCylinder inner_region(const Container &container, const InnerOverride &ch
   const UprightCylinder &whole = container.whole();
   UprightCylinder inner = inner_half(whole);
   if (!container.has_wall()) {
-    if (chosen.radius)
-      throw InputError("--inner-radius: wanted with --vessel-radius only");
+    if (chosen.radius) throw InputError("--inner-radius: wanted with --vessel-radius only");
     const double quarter = 0.25 * (whole.z_high - whole.z_low);
     inner = {whole.x, whole.y, whole.radius, whole.z_low + quarter, whole.z_high - quarter};
   }
@@ -330,8 +338,13 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   const Container container(bed, options, p.height);
   const UprightCylinder &whole = container.whole();
   const double space = volume(whole);
-  p.whole = {container.has_wall() ? whole.radius : none, whole.z_low, whole.z_high, space,
-             p.rods_volume / space, 0.0, (p.rods_volume - p.overlap_volume) / space};
+  p.whole = {container.has_wall() ? whole.radius : none,
+             whole.z_low,
+             whole.z_high,
+             space,
+             p.rods_volume / space,
+             0.0,
+             (p.rods_volume - p.overlap_volume) / space};
   if (container.is_closed()) return p;  // no wall, floor or surface to keep clear of
   p.clipped = container.pack(whole);
   p.inner = container.pack(inner_region(container, options.inner));
@@ -350,7 +363,12 @@ Fields<BedPacking> packing_fields()
   };
   // With its standard error over several beds.
   const auto add_measured = [&](const std::string &name, auto value, const std::string &unit = "") {
-    fields.add_mean(name, [value](const P &p) { return MeanWithError{value(p), none}; }, unit);
+    fields.add_mean(
+        name,
+        [value](const P &p) {
+          return MeanWithError{value(p), none};
+        },
+        unit);
   };
   fields.add("step", OverFiles::Same, [](const P &p) { return p.step; });
   fields.add("rods", OverFiles::Sum, [](const P &p) { return p.rods; });
@@ -358,9 +376,11 @@ Fields<BedPacking> packing_fields()
   add("lambda_mean", [](const P &p) { return p.lambda.mean; });
   add("lambda_min", [](const P &p) { return p.lambda.smallest; });
   add("lambda_max", [](const P &p) { return p.lambda.largest; });
-  add_measured("mean_elevation", [](const P &p) { return p.mean_elevation_deg; }, "_deg");
+  add_measured(
+      "mean_elevation", [](const P &p) { return p.mean_elevation_deg; }, "_deg");
   add_measured("mean_sin_gamma", [](const P &p) { return p.mean_sin_gamma; });
-  add_measured("z_top", [](const P &p) { return p.height.highest_centre; }, "_m");
+  add_measured(
+      "z_top", [](const P &p) { return p.height.highest_centre; }, "_m");
   add("highest_point_m", [](const P &p) { return p.height.highest_point; });
   add("rods_volume_m3", [](const P &p) { return p.rods_volume; });
   add("whole_volume_m3", [](const P &p) { return p.whole.volume; });
@@ -426,11 +446,10 @@ PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, 
   profiles.height =
       height_profile(bed.rods, section, whole.z_low, bin_edges(0.0, top_bin(whole.z_low), width));
   if (!container.has_wall()) return profiles;
-  profiles.radius = radius_profile(bed.rods, whole, bin_edges(0.0, whole.radius, width),
-                                   options.tolerance);
+  profiles.radius =
+      radius_profile(bed.rods, whole, bin_edges(0.0, whole.radius, width), options.tolerance);
   const double furthest = std::min(whole.radius, whole.z_high - whole.z_low);
-  profiles.wall =
-      wall_profile(bed.rods, whole, bin_edges(0.0, furthest, width), options.tolerance);
+  profiles.wall = wall_profile(bed.rods, whole, bin_edges(0.0, furthest, width), options.tolerance);
   return profiles;
 }
 

@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "cli/beds.h"
-#include "measures/packing_measures.h"
 #include "cli/result_table.h"
+#include "measures/packing_measures.h"
 #include "measures/solid_profile.h"
 
 namespace spherocylinder {
 
 struct PackingOptions {
-  std::optional<Vessel> vessel;     // or
-  std::optional<UprightBox> box;    // with walls; or neither: the dump's box, periodic in x and y
-  std::optional<UprightBox> region; // any, whatever holds the bed; alone, nothing else is measured
-  double floor = 0.0;            // of that box, unless it is periodic in z too (m)
+  std::optional<Vessel> vessel;      // or
+  std::optional<UprightBox> box;     // with walls; or neither: the dump's box, periodic in x and y
+  std::optional<UprightBox> region;  // any, whatever holds the bed; alone, nothing else is measured
+  double floor = 0.0;                // of that box, unless it is periodic in z too (m)
   InnerOverride inner;
   std::optional<double> bulk_margin;  // m
   double tolerance = 1e-4;
@@ -53,14 +53,14 @@ struct BedPacking {
   double mean_elevation_deg;  // NaN if all are spheres, as mean_sin_gamma
   double mean_sin_gamma;
   BedHeight height;
-  double rods_volume;       // m^3, overlaps counted twice
-  std::size_t overlaps;     // pairs that overlap
-  double overlap_volume;    // m^3, summed over these pairs
-  double overlap_error;     // bound (m^3)
-  RegionPacking whole;      // volume of all rods, whole, over the vessel's up to the highest centre
-  RegionPacking clipped;    // only what lies in that volume
+  double rods_volume;     // m^3, overlaps counted twice
+  std::size_t overlaps;   // pairs that overlap
+  double overlap_volume;  // m^3, summed over these pairs
+  double overlap_error;   // bound (m^3)
+  RegionPacking whole;    // volume of all rods, whole, over the vessel's up to the highest centre
+  RegionPacking clipped;  // only what lies in that volume
   RegionPacking inner;
-  double bulk_margin;       // m
+  double bulk_margin;  // m
   RegionPacking bulk;
   RegionPacking region;  // the user's own
 

@@ -94,8 +94,7 @@ void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)
 
 std::optional<Vessel> VesselOptions::vessel() const
 {
-  if (centre && !radius)
-    throw InputError("--centre: wanted with --vessel-radius only");
+  if (centre && !radius) throw InputError("--centre: wanted with --vessel-radius only");
   if (!radius && !floor) return std::nullopt;
   const std::vector<double> at = centre.value_or(std::vector<double>{0.0, 0.0});
   return Vessel{at[0], at[1], radius.value_or(std::numeric_limits<double>::infinity()),
@@ -112,8 +111,7 @@ void add_vessel_options(CLI::App &app, VesselOptions &options)
 {
   app.add_option("--vessel-radius", options.radius, "radius of the vessel (m)")
       ->check(positive_number());
-  app.add_option("--centre,--center", options.centre,
-                 "X Y of the vessel's axis (m), default 0 0")
+  app.add_option("--centre,--center", options.centre, "X Y of the vessel's axis (m), default 0 0")
       ->expected(2)
       ->check(finite_number());
   app.add_option("--floor", options.floor,

@@ -9,8 +9,8 @@
 
 #include "cli/command_line.h"
 #include "io/dump_frame.h"
-#include "measures/packing_measures.h"
 #include "io/rods.h"
+#include "measures/packing_measures.h"
 
 namespace spherocylinder {
 

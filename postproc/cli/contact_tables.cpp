@@ -75,23 +75,24 @@ Fields<BedContacts> contact_summary_fields()
   fields.add_mean("mean_side_position", [](const B &b) { return b.side_position; });
   fields.add_mean("contact_sin_gamma", [](const B &b) { return b.sin_gamma; });
   fields.add("all_pairs_sin_gamma", kMean, [](const B &b) { return b.sin_gamma_of_all; });
-  fields.add_mean("overlap_mean", [](const B &b) { return b.overlap.mean; }, "_diameters");
+  fields.add_mean(
+      "overlap_mean", [](const B &b) { return b.overlap.mean; }, "_diameters");
   fields.add("overlap_rms_diameters", kMean, [](const B &b) { return b.overlap.root_mean_square; });
   fields.add("overlap_max_diameters", kLargest, [](const B &b) { return b.overlap.largest; });
-  fields.add_mean("wall_overlap_mean", [](const B &b) { return b.wall_overlap.mean; },
-                  "_diameters");
+  fields.add_mean(
+      "wall_overlap_mean", [](const B &b) { return b.wall_overlap.mean; }, "_diameters");
   fields.add("wall_overlap_max_diameters", kLargest,
              [](const B &b) { return b.wall_overlap.largest; });
   fields.add("pair_forces", kSum, [](const B &b) { return number_of(b.pair_forces); });
-  fields.add_mean("pair_force_mean", [](const B &b) { return spread_of(b.pair_forces).mean; },
-                  "_N");
+  fields.add_mean(
+      "pair_force_mean", [](const B &b) { return spread_of(b.pair_forces).mean; }, "_N");
   fields.add("pair_force_rms_N", kMean,
              [](const B &b) { return spread_of(b.pair_forces).root_mean_square; });
   fields.add("pair_force_max_N", kLargest,
              [](const B &b) { return spread_of(b.pair_forces).largest; });
   fields.add("wall_forces", kSum, [](const B &b) { return number_of(b.wall_forces); });
-  fields.add_mean("wall_force_mean", [](const B &b) { return spread_of(b.wall_forces).mean; },
-                  "_N");
+  fields.add_mean(
+      "wall_force_mean", [](const B &b) { return spread_of(b.wall_forces).mean; }, "_N");
   fields.add("wall_force_max_N", kLargest,
              [](const B &b) { return spread_of(b.wall_forces).largest; });
   fields.add("wall_force_sum_x_N", kMean, [](const B &b) { return sum_of(b.wall_forces).x; });
@@ -122,8 +123,8 @@ std::vector<NumberRow> number_rows(const BedContacts &b)
 {
   std::vector<NumberRow> rows;
   for (std::size_t k = 0; k < b.with_walls.rods_with.size(); k++)
-    rows.push_back({b.step, k, b.between_rods.rods_that_have(k), b.with_walls.rods_with[k],
-                    b.rods});
+    rows.push_back(
+        {b.step, k, b.between_rods.rods_that_have(k), b.with_walls.rods_with[k], b.rods});
   return rows;
 }
 

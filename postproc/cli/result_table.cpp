@@ -22,8 +22,8 @@ double combined(OverFiles rule, const std::vector<double> &values,
   }
   switch (rule) {
     case OverFiles::Same: {
-      const bool alike = !values.empty() && std::equal(values.begin() + 1, values.end(),
-                                                       values.begin());
+      const bool alike =
+          !values.empty() && std::equal(values.begin() + 1, values.end(), values.begin());
       return alike ? values[0] : none;
     }
     case OverFiles::Sum: return values.empty() ? none : sum;

@@ -85,7 +85,7 @@ class Fields {
 // Rows that a file has fewer than another.
 enum class MissingRows {
   LeftOut,  // the file says nothing of them
-  Zero,      // its counts, and their means, are 0 there
+  Zero,     // its counts, and their means, are 0 there
 };
 
 // Rows of several files as one table: row by row, as many as the longest has. A standard error

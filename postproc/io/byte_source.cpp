@@ -39,10 +39,7 @@ ByteSource::ByteSource(const std::string &path) : input_(kInputBytes)
   if (!unknown) file_bytes_ = static_cast<double>(bytes);
 }
 
-double ByteSource::part_read() const
-{
-  return file_bytes_ > 0.0 ? bytes_read_ / file_bytes_ : 0.0;
-}
+double ByteSource::part_read() const { return file_bytes_ > 0.0 ? bytes_read_ / file_bytes_ : 0.0; }
 
 std::size_t ByteSource::read_file(char *bytes, std::size_t most)
 {

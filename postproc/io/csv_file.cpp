@@ -36,8 +36,7 @@ void CsvFile::close()
 {
   if (!output_) return;
   file_.close();
-  if (!file_)
-    throw InputError(fmt::format("{}: could not be written to its end", output_->path()));
+  if (!file_) throw InputError(fmt::format("{}: could not be written to its end", output_->path()));
   output_->finish();
 }
 

@@ -45,10 +45,7 @@ double PlaceColumns::of(std::size_t row, int direction) const
   return c.offset + c.scale * frame_.value(row, c.column);
 }
 
-Vec3 PlaceColumns::of(std::size_t row) const
-{
-  return {of(row, 0), of(row, 1), of(row, 2)};
-}
+Vec3 PlaceColumns::of(std::size_t row) const { return {of(row, 0), of(row, 1), of(row, 2)}; }
 
 VectorColumns::VectorColumns(const DumpFrame &frame, const std::array<std::string, 3> &names)
     : frame_(frame)

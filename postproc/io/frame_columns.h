@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "io/dump_frame.h"
 #include "core/vec3.h"
+#include "io/dump_frame.h"
 
 namespace spherocylinder {
 

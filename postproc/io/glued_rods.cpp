@@ -16,10 +16,7 @@ namespace {
 
 constexpr double kLargestRadius = 1e6;  // m; what is larger is no rod
 
-double component(const Vec3 &a, int d)
-{
-  return d == 0 ? a.x : d == 1 ? a.y : a.z;
-}
+double component(const Vec3 &a, int d) { return d == 0 ? a.x : d == 1 ? a.y : a.z; }
 
 struct Sphere {
   std::size_t row;
@@ -53,9 +50,9 @@ class Bodies {
       : frame_(frame),
         options_(options),
         id_(need_column(frame, "id")),
-        body_(need_column(
-            frame, options.body,
-            options.body == "mol" ? "--body with another that tells bodies apart" : "")),
+        body_(need_column(frame, options.body,
+                          options.body == "mol" ? "--body with another that tells bodies apart"
+                                                : "")),
         type_(frame.find_column("type")),
         density_(frame.find_column("density")),
         place_(frame),

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "io/frame_columns.h"
-#include "io/input_error.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
+#include "io/frame_columns.h"
+#include "io/input_error.h"
 
 namespace spherocylinder {
 namespace {
@@ -33,10 +33,7 @@ constexpr double kPointWidth = 1e-13;
 // Of the deck's time step: the step of the insertion.
 constexpr double kMoment = 1e-15;
 
-double component(const Vec3 &a, int d)
-{
-  return d == 0 ? a.x : d == 1 ? a.y : a.z;
-}
+double component(const Vec3 &a, int d) { return d == 0 ? a.x : d == 1 ? a.y : a.z; }
 
 // The same place in a periodic box.
 double wrapped(double x, const std::array<double, 2> &bounds)
@@ -138,10 +135,9 @@ std::string box_commands(const BoxBounds &box, const std::array<bool, 3> &period
   }
   std::string text;
   if (kinds.size() == 1) text = fmt::format("variable rod_mass index {}\n", mass_of(kinds[0]).mass);
-  return text + fmt::format(
-                    "variable rod_types index {}\nvariable types index {}\nboundary{}\n"
-                    "region box block{} units box\ncreate_box ${{types}} box\n",
-                    types, types, flags, bounds);
+  return text + fmt::format("variable rod_types index {}\nvariable types index {}\nboundary{}\n"
+                            "region box block{} units box\ncreate_box ${{types}} box\n",
+                            types, types, flags, bounds);
 }
 
 std::string template_file(const RodKind &kind)

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -90,8 +89,7 @@ std::string new_file_beside(const fs::path &target, const std::string &path)
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string &path)
-    : path_(path), target_(path), working_path_(path)
+OutputFile::OutputFile(const std::string &path) : path_(path), target_(path), working_path_(path)
 {
   std::error_code error;
   if (fs::is_directory(path, error))

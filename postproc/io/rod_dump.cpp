@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "core/rotation.h"
 #include "io/frame_columns.h"
 #include "io/input_error.h"
-#include "core/rotation.h"
 
 namespace spherocylinder {
 namespace {
@@ -95,10 +95,9 @@ std::string rod_data_file(const DumpFrame &frame, const std::vector<GluedRod> &r
     const Capsule &c = g.rod.capsule;
     const double rho = density.value_or(g.density);
     if (!(rho > 0.0))
-      throw InputError(
-          fmt::format("{}: step {}: rod {} has no density, wanted --density or a "
-                      "column 'density' of numbers > 0",
-                      frame.path, frame.step, g.rod.id));
+      throw InputError(fmt::format("{}: step {}: rod {} has no density, wanted --density or a "
+                                   "column 'density' of numbers > 0",
+                                   frame.path, frame.step, g.rod.id));
     fmt::format_to(out, "{} {} {} {} {}", g.rod.id, g.rod.type, 2.0 * c.radius, c.length(), rho);
     put(text, c.segment.centre, kAllDigits);
     put(text, c.segment.axis, kAllDigits);

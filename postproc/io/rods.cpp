@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "core/rotation.h"
 #include "io/frame_columns.h"
 #include "io/input_error.h"
-#include "core/rotation.h"
 
 namespace spherocylinder {
 namespace {
@@ -53,8 +53,8 @@ class RodColumns {
     for (std::size_t row = 0; row < rods.size(); row++) {
       double place = 0.0;
       for (int d = 0; d < 3; d++)
-        place = std::max(place, centre_.scale(d) * half_last_digit(digits, frame_.value(
-                                                       row, centre_.column(d))));
+        place = std::max(place, centre_.scale(d) *
+                                    half_last_digit(digits, frame_.value(row, centre_.column(d))));
       roundings.push_back(std::sqrt(3.0) * place + turn * rods[row].capsule.segment.half_length);
     }
     return roundings;

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/dump_frame.h"
 #include "core/capsule.h"
+#include "io/dump_frame.h"
 
 namespace spherocylinder {
 

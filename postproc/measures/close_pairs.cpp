@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "io/input_error.h"
-#include "core/parallel.h"
-#include "io/progress.h"
 #include "core/near_pairs.h"
+#include "core/parallel.h"
 #include "core/spread_contact.h"
+#include "io/input_error.h"
+#include "io/progress.h"
 
 namespace spherocylinder {
 namespace {
@@ -133,9 +133,7 @@ class BlockSearch {
   PlacedRod moved(const PlacedRod &p, const Image &by) const
   {
     const Vec3 shift{by[0] * box_.side[0], by[1] * box_.side[1], by[2] * box_.side[2]};
-    return {p.rod,
-            {p.image[0] + by[0], p.image[1] + by[1], p.image[2] + by[2]},
-            p.centre + shift};
+    return {p.rod, {p.image[0] + by[0], p.image[1] + by[1], p.image[2] + by[2]}, p.centre + shift};
   }
 
   // Of a rod that is thicker by half the gap.
@@ -174,9 +172,8 @@ class BlockSearch {
         longest = to - from;
         middle = from + 0.5 * longest;
       }
-      const auto half = std::partition(begin, end, [&](const PlacedRod &p) {
-        return component(p.centre, across) < middle;
-      });
+      const auto half = std::partition(
+          begin, end, [&](const PlacedRod &p) { return component(p.centre, across) < middle; });
       if (half != begin && half != end) {  // else all centres are in one place
         cut(begin, half);
         cut(half, end);
@@ -242,8 +239,8 @@ class BlockSearch {
         // spread_contact itself decides whether the rods are parallel enough.
         if (batch.nearly_parallel[k] != 0.0 || batch.uncertain[k] != 0.0)
           points = spread_contact(rod_i.segment, image, batch.reach[k], points).points;
-        found.push_back({i, j, points.s, points.t, gap, normal,
-                         norm(cross(rod_i.segment.axis, image.axis))});
+        found.push_back(
+            {i, j, points.s, points.t, gap, normal, norm(cross(rod_i.segment.axis, image.axis))});
       }
     }
     return found;
@@ -252,7 +249,7 @@ class BlockSearch {
   const std::vector<Rod> &rods_;
   const Periodicity &box_;
   double largest_gap_, contact_gap_, searched_gap_;  // m
-  std::vector<PlacedRod> placed_;      // block after block
+  std::vector<PlacedRod> placed_;                    // block after block
   std::vector<Block> blocks_;
 };
 

@@ -25,9 +25,9 @@ Periodicity periodicity_of(const DumpFrame &frame);
 struct ClosePair {
   std::uint32_t i, j;  // indices into the rods, i < j
   double s, t;  // where on the axes they touch, signed distance from the centres of i and j (m)
-  double gap;          // distance of the surfaces, negative if they overlap (m)
-  Vec3 normal;         // unit, from j to i; zero if the axes cross
-  double sin_gamma;    // of the angle between the axes
+  double gap;   // distance of the surfaces, negative if they overlap (m)
+  Vec3 normal;  // unit, from j to i; zero if the axes cross
+  double sin_gamma;  // of the angle between the axes
 };
 
 // s and t are the closest points, of nearly parallel rods those of spread_contact (core), which

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "io/input_error.h"
-#include "measures/mean_with_error.h"
 #include "io/text.h"
+#include "measures/mean_with_error.h"
 
 namespace spherocylinder {
 namespace {
@@ -110,9 +110,8 @@ LocalForces::LocalForces(const std::string &path, LocalKind kind, const std::str
   for (const std::string_view word : words)
     if (std::none_of(kAllKeywords.begin(), kAllKeywords.end(),
                      [&](const Keyword &keyword) { return keyword.name == word; }))
-      throw InputError(
-          fmt::format("{}: {} is no keyword of compute {}/gran/local", option, shown(word),
-                      kind == LocalKind::Pairs ? "pair" : "wall"));
+      throw InputError(fmt::format("{}: {} is no keyword of compute {}/gran/local", option,
+                                   shown(word), kind == LocalKind::Pairs ? "pair" : "wall"));
   for (const char *wanted : {"id", "force"})
     if (!words.count(wanted))
       throw InputError(

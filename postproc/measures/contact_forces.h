@@ -21,8 +21,7 @@ struct ContactForce {
 };
 
 // What the compute writes if its command names no keywords.
-constexpr const char *kDefaultLocalKeywords =
-    "pos vel id force torque history contactArea";
+constexpr const char *kDefaultLocalKeywords = "pos vel id force torque history contactArea";
 
 class LocalForces {
  public:
@@ -51,8 +50,8 @@ class LocalForces {
 };
 
 struct ForceChains {
-  double threshold;          // N; a contact is strong if its force is larger
-  std::size_t strong = 0;    // contacts
+  double threshold;                         // N; a contact is strong if its force is larger
+  std::size_t strong = 0;                   // contacts
   std::vector<std::size_t> sizes;           // rods of each chain, falling, each at least 2
   std::vector<std::uint32_t> chain_of_rod;  // number from 1 by falling size, 0 for none
 };

@@ -19,8 +19,7 @@ std::vector<WallContact> wall_contacts(const std::vector<Rod> &rods, const Vesse
       if (rods[k].is_sphere() && !at_plus) continue;
       const Vec3 end = segment.at(at_plus ? segment.half_length : -segment.half_length);
       const double above = end.z - radius - vessel.floor;
-      const double inside =
-          vessel.radius - radius - std::hypot(end.x - vessel.x, end.y - vessel.y);
+      const double inside = vessel.radius - radius - std::hypot(end.x - vessel.x, end.y - vessel.y);
       if (above < largest_gap) contacts.push_back({k, true, at_plus, above});
       if (inside < largest_gap) contacts.push_back({k, false, at_plus, inside});
     }
@@ -52,7 +51,7 @@ CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<Close
   std::array<std::size_t, 3> counts{};  // by the number of ends
   for (const ClosePair &pair : pairs)
     counts[at_end(pair.s, rods[pair.i].capsule.segment.half_length) +
-             at_end(pair.t, rods[pair.j].capsule.segment.half_length)]++;
+           at_end(pair.t, rods[pair.j].capsule.segment.half_length)]++;
   return {part_of(counts[0], pairs.size()), part_of(counts[1], pairs.size()),
           part_of(counts[2], pairs.size())};
 }
@@ -79,14 +78,12 @@ std::vector<double> side_positions(const std::vector<Rod> &rods,
   return positions;
 }
 
-std::vector<double> pair_overlaps(const std::vector<Rod> &rods,
-                                  const std::vector<ClosePair> &pairs)
+std::vector<double> pair_overlaps(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs)
 {
   std::vector<double> overlaps;
   for (const ClosePair &pair : pairs)
     if (pair.gap < 0.0)
-      overlaps.push_back(-pair.gap /
-                         (rods[pair.i].capsule.radius + rods[pair.j].capsule.radius));
+      overlaps.push_back(-pair.gap / (rods[pair.i].capsule.radius + rods[pair.j].capsule.radius));
   return overlaps;
 }
 

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/rods.h"
 #include "measures/close_pairs.h"
 #include "measures/mean_with_error.h"
 #include "measures/packing_measures.h"
-#include "io/rods.h"
 
 namespace spherocylinder {
 

@@ -105,8 +105,8 @@ NematicOrder nematic_order(const std::vector<Vec3> &axes)
   const int pick = std::abs(values[0]) >= std::abs(values[2]) ? 0 : 2;
   const Vec3 found{vectors[0][pick], vectors[1][pick], vectors[2][pick]};
   const Vec3 director = found.z < 0.0 ? -found : found;
-  const MeanWithError along = mean_of(
-      axes, [&](const Vec3 &u) { return 1.5 * dot(u, director) * dot(u, director) - 0.5; });
+  const MeanWithError along =
+      mean_of(axes, [&](const Vec3 &u) { return 1.5 * dot(u, director) * dot(u, director) - 0.5; });
   return {values[pick], director, along.error};
 }
 
@@ -115,8 +115,8 @@ double unbiased_squared_order(const std::vector<Vec3> &axes)
   const double n = static_cast<double>(axes.size());
   if (axes.size() < 2) return none;
   const NematicTensor q = nematic_tensor(axes);
-  const double squares = q.xx * q.xx + q.yy * q.yy + q.zz * q.zz +
-                         2.0 * (q.xy * q.xy + q.xz * q.xz + q.yz * q.yz);
+  const double squares =
+      q.xx * q.xx + q.yy * q.yy + q.zz * q.zz + 2.0 * (q.xy * q.xy + q.xz * q.xz + q.yz * q.yz);
   return (2.0 / 3.0 * n * squares - 1.0) / (n - 1.0);
 }
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "measures/mean_with_error.h"
 #include "io/rods.h"
+#include "measures/mean_with_error.h"
 
 namespace spherocylinder {
 

@@ -94,8 +94,7 @@ BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightCylinder &
   return solid_of_rods(rods, region, tolerance);
 }
 
-BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightBox &region,
-                           double tolerance)
+BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightBox &region, double tolerance)
 {
   return solid_of_rods(rods, region, tolerance);
 }

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "solid/clipped_volume.h"
 #include "io/rods.h"
+#include "solid/clipped_volume.h"
 
 namespace spherocylinder {
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "io/input_error.h"
-#include "core/numbers.h"
 #include "core/closest_points.h"
 #include "core/mass_properties.h"
+#include "core/numbers.h"
+#include "io/input_error.h"
 
 namespace spherocylinder {
 namespace {
@@ -147,10 +147,9 @@ RodGas rod_gas(const RodGasOptions &o)
   Cube cube(gas.side, o.diameter);
   for (long trial = 0; cube.rods.size() < o.rods; trial++) {
     if (trial == kMostTrials)
-      throw InputError(
-          fmt::format("there is no room for more than {} of {} rods, wanted a lower "
-                      "solid fraction than {}",
-                      cube.rods.size(), o.rods, o.solid));
+      throw InputError(fmt::format("there is no room for more than {} of {} rods, wanted a lower "
+                                   "solid fraction than {}",
+                                   cube.rods.size(), o.rods, o.solid));
     const Vec3 place = gas.side * random.uniform_vector();
     cube.add({place, random.direction(alignment), 0.5 * (length - o.diameter)});
   }

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "io/input_error.h"
 #include "core/numbers.h"
+#include "io/input_error.h"
 #include "solid/capsule_measures.h"
 
 namespace spherocylinder {

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "io/input_error.h"
+#include "core/batch.h"
 #include "core/numbers.h"
 #include "core/parallel.h"
-#include "solid/plane_volume.h"
-#include "core/batch.h"
+#include "io/input_error.h"
 #include "solid/capsule_measures.h"
+#include "solid/plane_volume.h"
 
 namespace spherocylinder {
 namespace {
@@ -347,8 +347,8 @@ std::vector<ProfileBin> wall_profile(const std::vector<Rod> &rods, const Upright
   // From the innermost out, as volumes_within wants them.
   std::vector<UprightCylinder> cylinders;
   for (std::size_t k = edges.size() - 1; k-- > 0;)
-    cylinders.push_back({vessel.x, vessel.y, vessel.radius - edges[k], vessel.z_low + edges[k],
-                         vessel.z_high});
+    cylinders.push_back(
+        {vessel.x, vessel.y, vessel.radius - edges[k], vessel.z_low + edges[k], vessel.z_high});
   std::vector<ProfileBin> bins = shells(rods, cylinders, tolerance);
   std::reverse(bins.begin(), bins.end());
   set_edges(bins, edges);

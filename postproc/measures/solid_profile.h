@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "solid/clipped_volume.h"
 #include "io/rods.h"
+#include "solid/clipped_volume.h"
 
 namespace spherocylinder {
 

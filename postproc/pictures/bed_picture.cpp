@@ -177,10 +177,8 @@ double aim_camera(vtkRenderer *renderer, const ViewFrame &frame, const Extent &e
   const double pixel = std::max(extent.size(0) / (layout.right - layout.left),
                                 extent.size(1) / (layout.top - layout.bottom));  // metres
   const double picture_width = pixel * options.width, picture_height = pixel * options.height;
-  const double x =
-      extent.middle(0) - 0.5 * (layout.left + layout.right - options.width) * pixel;
-  const double y =
-      extent.middle(1) - 0.5 * (layout.bottom + layout.top - options.height) * pixel;
+  const double x = extent.middle(0) - 0.5 * (layout.left + layout.right - options.width) * pixel;
+  const double y = extent.middle(1) - 0.5 * (layout.bottom + layout.top - options.height) * pixel;
   const Vec3 focus = x * frame.right + y * frame.up + extent.middle(2) * frame.towards;
   const Vec3 eye = focus + (extent.size(2) + picture_width) * frame.towards;
 
@@ -200,8 +198,8 @@ PictureWords words_of(const PictureOptions &options, const RodQuantity &colour,
 {
   PictureWords words{options.caption, broken_into_lines(colour.title), {}, false, false};
   for (int i = 0; options.colour_bar && i < range.labels; i++)
-    words.labels.push_back(fmt::format(
-        "{:.3g}", range.low + i * (range.high - range.low) / (range.labels - 1)));
+    words.labels.push_back(
+        fmt::format("{:.3g}", range.low + i * (range.high - range.low) / (range.labels - 1)));
   const double crumb = 1e-9 * (range.high - range.low);
   for (const double value : colour.values) {
     words.below = words.below || value < range.low - crumb;
@@ -210,9 +208,9 @@ PictureWords words_of(const PictureOptions &options, const RodQuantity &colour,
   return words;
 }
 
-void add_annotation(vtkRenderer *renderer, const PictureOptions &options,
-                    const PictureLayout &at, const PictureWords &words, vtkLookupTable *colours,
-                    double picture_width, const Ink &ink)
+void add_annotation(vtkRenderer *renderer, const PictureOptions &options, const PictureLayout &at,
+                    const PictureWords &words, vtkLookupTable *colours, double picture_width,
+                    const Ink &ink)
 {
   const double width = options.width, height = options.height;
   const auto add_text = [&](const std::string &text_, double x, double y, TextAt foot) {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "solid/clipped_volume.h"
-#include "measures/rod_quantity.h"
 #include "io/rods.h"
+#include "measures/rod_quantity.h"
 #include "pictures/view.h"
+#include "solid/clipped_volume.h"
 
 namespace spherocylinder {
 

@@ -9,8 +9,8 @@ namespace spherocylinder {
 vtkSmartPointer<vtkLookupTable> viridis(double low, double high)
 {
   constexpr int kControls[][3] = {{68, 1, 84},    {72, 36, 117},  {65, 68, 135},  {53, 95, 141},
-                                 {42, 120, 142}, {33, 145, 140}, {34, 168, 132}, {68, 191, 112},
-                                 {122, 209, 81}, {189, 223, 38}, {253, 231, 37}};
+                                  {42, 120, 142}, {33, 145, 140}, {34, 168, 132}, {68, 191, 112},
+                                  {122, 209, 81}, {189, 223, 38}, {253, 231, 37}};
   constexpr int kColours = 256;
   vtkNew<vtkColorTransferFunction> curve;
   curve->SetColorSpaceToLab();

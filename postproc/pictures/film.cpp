@@ -5,13 +5,12 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "io/input_error.h"
 #include "io/output_file.h"
 #include "pictures/display.h"
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace spherocylinder {
 namespace {
@@ -58,10 +57,10 @@ void write_film(const std::string &path, const std::string &picture, double rate
   OutputFile output(path);
   // yuv420p, which all players know, halves the colours' resolution: the size must be even.
   const std::string codec = ending_of(path) == ".mp4" ? "libx264" : "libvpx-vp9";
-  const int code = run_program({"ffmpeg", "-y", "-loglevel", "error", "-framerate",
-                                fmt::format("{:g}", rate), "-i", pattern.string(), "-c:v", codec,
-                                "-crf", "20", "-b:v", "0", "-pix_fmt", "yuv420p", "-vf",
-                                "pad=ceil(iw/2)*2:ceil(ih/2)*2", output.working_path()});
+  const int code =
+      run_program({"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:g}", rate),
+                   "-i", pattern.string(), "-c:v", codec, "-crf", "20", "-b:v", "0", "-pix_fmt",
+                   "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", output.working_path()});
   if (code != 0)
     throw InputError(fmt::format("{}: ffmpeg ended with exit code {}, wanted 0", path, code));
   output.finish();

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "io/input_error.h"
 #include "core/numbers.h"
 #include "core/rotation.h"
+#include "io/input_error.h"
 #include "pictures/rod_data.h"
 #include "solid/capsule_measures.h"
 
@@ -56,9 +56,9 @@ void OvitoFile::add(const DumpFrame &frame, const std::vector<Rod> &rods, double
     fmt::format_to(out,
                    "{} {} {:.8g} {:.8g} {:.8g} {:.8g} {:.8g} {:.8g} {:.8g} {:.8g} {:.8g} {:.8g} "
                    "{:.6g}",
-                   rod.id, rod.type, segment.centre.x, segment.centre.y, segment.centre.z, q.x,
-                   q.y, q.z, q.w, rod.capsule.radius, rod.capsule.radius,
-                   2.0 * segment.half_length, elevation(segment.axis) * degrees);
+                   rod.id, rod.type, segment.centre.x, segment.centre.y, segment.centre.z, q.x, q.y,
+                   q.z, q.w, rod.capsule.radius, rod.capsule.radius, 2.0 * segment.half_length,
+                   elevation(segment.axis) * degrees);
     if (has_velocity)
       fmt::format_to(out, " {:.8g} {:.8g} {:.8g}", frame.value(row, *vx), frame.value(row, *vy),
                      frame.value(row, *vz));

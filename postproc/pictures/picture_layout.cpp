@@ -51,8 +51,8 @@ PictureLayout with_letters(int width, int height, int font_size, const PictureWo
   at.bar_left = width - gap - column;
   at.right = at.bar_left - gap;
   const double title_height = title.height + 0.8 * letter;
-  at.bar_height = std::min(
-      {0.6 * height, 30.0 * letter, at.top - at.bottom - title_height - 0.5 * letter});
+  at.bar_height =
+      std::min({0.6 * height, 30.0 * letter, at.top - at.bottom - title_height - 0.5 * letter});
   at.bar_bottom = 0.5 * (at.bottom + at.top - at.bar_height - title_height);
   at.title_y = at.bar_bottom + at.bar_height + 0.8 * letter;
   return at;

@@ -10,8 +10,8 @@ namespace spherocylinder {
 
 struct PictureWords {
   std::string caption;
-  std::string title;                // of the colour bar, broken into lines
-  std::vector<std::string> labels;  // beside the colour bar; none: no colour bar
+  std::string title;                  // of the colour bar, broken into lines
+  std::vector<std::string> labels;    // beside the colour bar; none: no colour bar
   bool below = false, above = false;  // whether there are values beyond the ends of the bar
 
   // A label as it is drawn: those of ends with values beyond them have a sign before them.

@@ -99,8 +99,8 @@ ShownPart::ShownPart(const PartOptions &options, View view, bool several)
                     "one of them)",
                     *options.vessel_axis));
   if (options.top && vessel_ && is_upright() && *options.top <= vessel_->floor)
-    throw InputError(fmt::format("--top: must be above the floor {} (got {})", vessel_->floor,
-                                 *options.top));
+    throw InputError(
+        fmt::format("--top: must be above the floor {} (got {})", vessel_->floor, *options.top));
   if (options.cut && view == View::Top)
     throw InputError("--cut: needs a view from the side or oblique (got 'top')");
 }
@@ -219,8 +219,8 @@ DrawnVessel ShownPart::drawn_vessel() const
     return {cylinder, axis_, !ends_given, !ends_given};
   }
   const double bed = reach_[2][1] - vessel_->floor;
-  const double part = options_.top ? *options_.top - vessel_->floor
-                                   : 1.1 * std::max(bed, 0.25 * vessel_->radius);
+  const double part =
+      options_.top ? *options_.top - vessel_->floor : 1.1 * std::max(bed, 0.25 * vessel_->radius);
   const double whole = options_.vessel_height.value_or(kInfinity);
   return {vessel_up_to(*vessel_, vessel_->floor + std::min(part, whole)), axis_, false,
           part < whole};
@@ -232,8 +232,8 @@ std::optional<Box> ShownPart::edges(const DumpFrame &frame) const
 {
   if (vessel_) return std::nullopt;
   if (box_)
-    return Box{{{box_->x_low, box_->x_high}, {box_->y_low, box_->y_high},
-                {box_->z_low, box_->z_high}}};
+    return Box{
+        {{box_->x_low, box_->x_high}, {box_->y_low, box_->y_high}, {box_->z_low, box_->z_high}}};
   const auto periodic = edged(frame);
   if (std::find(periodic.begin(), periodic.end(), true) == periodic.end()) return std::nullopt;
   Box box = frame.box;

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/numbers.h"
-#include "solid/plane_volume.h"
 #include "solid/capsule_measures.h"
+#include "solid/plane_volume.h"
 #include "solid/section_area.h"
 
 namespace spherocylinder {
@@ -225,10 +225,11 @@ template <class Body>
 class Sections {
  public:
   Sections(const Capsule &capsule, const Body &body)
-      : half_length_(capsule.segment.half_length), radius_(capsule.radius),
+      : half_length_(capsule.segment.half_length),
+        radius_(capsule.radius),
         normal_(normal_to(heading_of(capsule.segment.axis))),
-        footprint_(footprint(body, capsule.segment.centre, normal_,
-                             heading_of(capsule.segment.axis)))
+        footprint_(
+            footprint(body, capsule.segment.centre, normal_, heading_of(capsule.segment.axis)))
   {
     const Vec3 &u = capsule.segment.axis;
     z_low_ = body.z_low - capsule.segment.centre.z;
@@ -244,8 +245,7 @@ class Sections {
   {
     const Interval chord = footprint_.chord(x);
     if (!(chord.low < chord.high)) return 0.0;
-    const double shared =
-        intersection_area(stadium(x), {chord.low, chord.high, z_low_, z_high_});
+    const double shared = intersection_area(stadium(x), {chord.low, chord.high, z_low_, z_high_});
     return shared > kNoArea * radius_ * radius_ ? shared : 0.0;
   }
 

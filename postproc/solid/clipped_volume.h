@@ -2,8 +2,8 @@
 // How much of a rod lies inside an upright cylinder or box, with a bound on the error.
 #pragma once
 
-#include "solid/convex_integral.h"
 #include "core/capsule.h"
+#include "solid/convex_integral.h"
 
 namespace spherocylinder {
 
@@ -18,7 +18,11 @@ struct UprightCylinder {
 struct UprightBox {
   UprightBox(double x_low_, double x_high_, double y_low_, double y_high_, double z_low_,
              double z_high_)
-      : x_low(x_low_), x_high(x_high_), y_low(y_low_), y_high(y_high_), z_low(z_low_),
+      : x_low(x_low_),
+        x_high(x_high_),
+        y_low(y_low_),
+        y_high(y_high_),
+        z_low(z_low_),
         z_high(z_high_)
   {
   }

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "core/closest_points.h"
 #include "core/numbers.h"
 #include "solid/capsule_measures.h"
 #include "solid/section_area.h"
-#include "core/closest_points.h"
 
 namespace spherocylinder {
 namespace {
@@ -89,8 +89,7 @@ double crossing_volume(const Capsule &a, const Capsule &b, const Crossing &c)
   for (int k = 1; k <= kNodes; k++) {
     const double angle = k * pi / (kNodes + 1);
     const double x = middle + half * std::cos(angle);
-    sum += std::sin(angle) * std::sin(angle) *
-           std::sqrt((a.radius + x) * (b.radius + c.apart - x));
+    sum += std::sin(angle) * std::sin(angle) * std::sqrt((a.radius + x) * (b.radius + c.apart - x));
   }
   return 4.0 / std::abs(c.axis_b.z) * half * half * pi / (kNodes + 1) * sum;
 }
@@ -117,8 +116,7 @@ bool lies_beyond_end(const BallEnd &ball, const Vec3 &m, double near)
 {
   const double along = dot(m, ball.outwards);
   const double across = std::sqrt(std::max(1.0 - along * along, 0.0));
-  return ball.is_end && near > 0.0 &&
-         along * near - across * half_width(ball.radius, near) >= 0.0;
+  return ball.is_end && near > 0.0 && along * near - across * half_width(ball.radius, near) >= 0.0;
 }
 
 double cap_volume(double radius, double height)
@@ -141,9 +139,9 @@ double balls_volume(double r, double q, double g)
 double ball_in_tube_volume(double r, double q, double g)
 {
   constexpr double kNodes[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
-                              0.8650633666889845, 0.9739065285171717};
+                               0.8650633666889845, 0.9739065285171717};
   constexpr double kWeights[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820,
-                                0.1494513491505806, 0.0666713443086881};
+                                 0.1494513491505806, 0.0666713443086881};
   const double x0 = ((r - q) * (r + q) + g * g) / (2.0 * g);
   const double middle = 0.5 * (x0 + g - q), half = 0.5 * (x0 - g + q);
   const auto integrand = [&](double theta) {
@@ -160,8 +158,8 @@ double ball_in_tube_volume(double r, double q, double g)
 }
 
 // Volume of the common cases that need no search: see overlap_volume.h. Nothing for others.
-std::optional<double> quick_volume(const Capsule &a, const Capsule &b,
-                                   const ClosestPoints &closest, double g)
+std::optional<double> quick_volume(const Capsule &a, const Capsule &b, const ClosestPoints &closest,
+                                   double g)
 {
   const double depth = a.radius + b.radius - g;
   if (depth > kDeepestCrossing * std::min(a.radius, b.radius)) return std::nullopt;

@@ -2,8 +2,8 @@
 // How much two rods that overlap have in common.
 #pragma once
 
-#include "solid/convex_integral.h"
 #include "core/capsule.h"
+#include "solid/convex_integral.h"
 
 namespace spherocylinder {
 

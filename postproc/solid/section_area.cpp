@@ -77,10 +77,11 @@ class PlacedStadium {
       };
       const Point2 from = on_side(-half_), to = on_side(half_);
       if (half_ > 0.0)
-        for_parts_inside(other, other.cuts_of_line(from, to), rim,
-                         [&](double s) { return along(from, to, s); }, [&](double a, double b) {
-                           sum += cross(along(from, to, a) - centre, along(from, to, b) - centre);
-                         });
+        for_parts_inside(
+            other, other.cuts_of_line(from, to), rim, [&](double s) { return along(from, to, s); },
+            [&](double a, double b) {
+              sum += cross(along(from, to, a) - centre, along(from, to, b) - centre);
+            });
 
       const Point2 end{centre_.t + side * half_ * u_.t, centre_.z + side * half_ * u_.z};
       const double first = std::atan2(-side * across.z, -side * across.t);

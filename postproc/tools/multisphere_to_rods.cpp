@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "cli/command_line.h"
-#include "io/csv_file.h"
 #include "cli/frame_choice.h"
+#include "io/csv_file.h"
 #include "io/glued_rods.h"
 #include "io/input_error.h"
 #include "io/output_file.h"
@@ -107,10 +107,9 @@ int main(int argc, char **argv)
   Options options;
   CLI::App app("Rods glued or bonded of spheres as the dump of the capsules they make up.",
                "multisphere_to_rods");
-  app.footer(
-      "Example: multisphere_to_rods spheres.dump --out rods.dump\n"
-      "         multisphere_to_rods fibres.dump --body f_fibre --tolerance 0.5 --frame last "
-      "--out rods.dump --csv straightness.csv");
+  app.footer("Example: multisphere_to_rods spheres.dump --out rods.dump\n"
+             "         multisphere_to_rods fibres.dump --body f_fibre --tolerance 0.5 --frame last "
+             "--out rods.dump --csv straightness.csv");
   add_input_options(app, options.input);
   app.add_option("--out", options.out, "dump to write")->required();
   app.add_option("--body", options.bodies.body, "COLUMN that tells a sphere's body")

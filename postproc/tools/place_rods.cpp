@@ -20,9 +20,8 @@ int main(int argc, char **argv)
   std::string out = "gas.data";
   CLI::App app("Rods at random in a periodic box, in random motion, as a file for read_data.",
                "place_rods");
-  app.footer(
-      "Example: place_rods --lambda 10 --solid 0.05 --rods 2000 --out gas.data\n"
-      "         place_rods --lambda 30 --solid 0.15 --rods 2000 --copies 5 2 1 --floor");
+  app.footer("Example: place_rods --lambda 10 --solid 0.05 --rods 2000 --out gas.data\n"
+             "         place_rods --lambda 30 --solid 0.15 --rods 2000 --copies 5 2 1 --floor");
   constexpr double kMost = 1e6;
   app.add_option("--lambda", options.lambda, "aspect ratio of the rods, length / diameter")
       ->check(number_between(1.0, kMost))

@@ -2,8 +2,8 @@
 // rod_contacts: where the rods of a bed touch, and what the contacts carry. docs/rod_contacts.md
 #include <cmath>
 #include <memory>
-#include <string>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -125,8 +125,7 @@ void print_table(const BedContacts &b, double strong, bool with_walls)
            fmt::format("{:8.4f}   (long isotropic rods; of all pairs {} are measured)",
                        kIsotropicContactSinGamma, cell(b.sin_gamma_of_all, 0, 4)));
   print_spread("overlap / diameter", b.overlaps.size(), b.overlap, "");
-  if (!b.walls.empty())
-    print_spread("  at walls", b.wall_overlaps.size(), b.wall_overlap, "");
+  if (!b.walls.empty()) print_spread("  at walls", b.wall_overlaps.size(), b.wall_overlap, "");
   print_forces(b, strong);
 }
 
@@ -203,9 +202,9 @@ void run(const Options &options)
   ForceFiles force_files(options);
   Tables tables(options);
   for_each_bed(options.beds, [&](const Bed &bed) {
-    const BedContacts contacts = measure_contacts(
-        bed, vessel, options.gap, force_files.at(bed, LocalKind::Pairs),
-        force_files.at(bed, LocalKind::Walls), options.strong);
+    const BedContacts contacts =
+        measure_contacts(bed, vessel, options.gap, force_files.at(bed, LocalKind::Pairs),
+                         force_files.at(bed, LocalKind::Walls), options.strong);
     tables.add(bed, contacts);
     if (options.beds.several()) fmt::print("{}: ", bed.frame.path);
     print_table(contacts, options.strong, vessel.has_value());
@@ -251,9 +250,9 @@ int main(int argc, char **argv)
       ->needs(local)
       ->check(positive_number())
       ->capture_default_str();
-  CLI::Option *tables = app.add_option(
-      "--tables", options.tables,
-      "write the distributions to PREFIX_numbers.csv, PREFIX_positions.csv ...");
+  CLI::Option *tables =
+      app.add_option("--tables", options.tables,
+                     "write the distributions to PREFIX_numbers.csv, PREFIX_positions.csv ...");
   app.add_option("--bins", options.bins, "bins of the distributions of overlaps and forces")
       ->needs(tables)
       ->check(CLI::Range(1, 10000))

@@ -11,19 +11,20 @@
 
 #include "cli/bed_orientation.h"
 #include "cli/beds.h"
-#include "measures/contact_statistics.h"
-#include "io/input_error.h"
 #include "core/numbers.h"
+#include "io/input_error.h"
 #include "io/text.h"
+#include "measures/contact_statistics.h"
 
 using namespace spherocylinder;
 
 namespace {
 
-const std::map<std::string, BinSpacing> kSpacings{
-    {"solid-angle", BinSpacing::EqualSolidAngle}, {"angle", BinSpacing::EqualAngle}};
-const std::map<std::string, NearWall> kWalls{
-    {"nearest", NearWall::Nearest}, {"side", NearWall::Side}, {"floor", NearWall::Floor}};
+const std::map<std::string, BinSpacing> kSpacings{{"solid-angle", BinSpacing::EqualSolidAngle},
+                                                  {"angle", BinSpacing::EqualAngle}};
+const std::map<std::string, NearWall> kWalls{{"nearest", NearWall::Nearest},
+                                             {"side", NearWall::Side},
+                                             {"floor", NearWall::Floor}};
 
 struct Options {
   BedFiles beds;
@@ -90,8 +91,8 @@ void print_table(const BedOrientation &b, const Options &options)
   fmt::print("  elevation (deg)     count  fraction   error   isotropic  density\n");
   for (const ElevationBin &bin : b.histogram)
     fmt::print("  {:6.2f} - {:6.2f}  {:8}  {:8.4f} {:7.4f}   {:9.4f}  {:7.3f}\n", bin.low * degrees,
-               bin.high * degrees, bin.count, bin.part.mean, bin.part.error,
-               bin.isotropic_fraction, bin.density().mean);
+               bin.high * degrees, bin.count, bin.part.mean, bin.part.error, bin.isotropic_fraction,
+               bin.density().mean);
   if (b.by_wall.empty()) return;
   fmt::print(
       "  from {} wall (m)    rods  elevation   error  squared order  radial  <|sin gamma|>\n",

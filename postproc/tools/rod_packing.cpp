@@ -9,11 +9,11 @@
 #include "cli/bed_packing.h"
 #include "cli/beds.h"
 #include "cli/command_line.h"
-#include "io/input_error.h"
+#include "cli/result_table.h"
 #include "core/numbers.h"
+#include "io/input_error.h"
 #include "measures/orientation_statistics.h"
 #include "measures/packing_theory.h"
-#include "cli/result_table.h"
 
 using namespace spherocylinder;
 
@@ -59,9 +59,9 @@ void print_theory(const BedPacking &p)
                        : "2 ln(lambda)/lambda");
   const double isotropic = random_contact_fraction(lambda, kIsotropicSinGamma);
   if (std::isnan(isotropic)) {
-    print_theory_row("random contacts", isotropic,
-                     fmt::format("the equation is for slender rods, lambda >= {:g}",
-                                 kRandomContactsFrom));
+    print_theory_row(
+        "random contacts", isotropic,
+        fmt::format("the equation is for slender rods, lambda >= {:g}", kRandomContactsFrom));
     return;
   }
   print_theory_row("random contacts", isotropic, "isotropic");

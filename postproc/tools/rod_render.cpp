@@ -95,8 +95,8 @@ std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std
     high = std::max(high, rod.capsule.aspect_ratio());
   }
   const bool several = high - low > 1e-4 * high;  // wider than the rounding of a dump
-  std::string caption = several ? fmt::format("λ = {:.3g} to {:.3g}", low, high)
-                                : fmt::format("λ = {:.4g}", high);
+  std::string caption =
+      several ? fmt::format("λ = {:.3g} to {:.3g}", low, high) : fmt::format("λ = {:.4g}", high);
   caption += shown == rods.size() ? fmt::format(",  {} rods,  ", rods.size())
                                   : fmt::format(",  {} of {} rods,  ", shown, rods.size());
   if (frame.time) return caption + fmt::format("t = {:.4g} s", *frame.time);
@@ -151,7 +151,7 @@ void draw(const DumpFrame &frame, const std::vector<Rod> &rods, const ShownPart 
                                  frame.step, part.left_out_by(), rods.size()));
   picture.caption = caption_of(frame, rods, shown.size(), options.timestep);
   part.set(picture, frame);
-  OutputFile{path};  // can it be written?
+  OutputFile{path};    // can it be written?
   need_display(argv);  // may start the program again: all is said, no file is open
   OutputFile output(path);
   write_bed_picture(output.working_path(), shown, colour, picture);
@@ -185,11 +185,11 @@ void draw_all(const Options &options, const FrameChoice &choice, const PictureOp
     part.look_at(frame, rods);
   });
   if (!any)
-    throw InputError(fmt::format("{}: no step holds any rods, wanted at least one",
-                                 options.input.dump));
+    throw InputError(
+        fmt::format("{}: no step holds any rods, wanted at least one", options.input.dump));
   if (!part.may_be_empty())
-    throw InputError(fmt::format("{}: {} leaves no rods of any step", options.input.dump,
-                                 part.left_out_by()));
+    throw InputError(
+        fmt::format("{}: {} leaves no rods of any step", options.input.dump, part.left_out_by()));
   std::size_t pictures = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
     const std::vector<Rod> rods = rods_of(frame);
@@ -223,12 +223,11 @@ int main(int argc, char **argv)
 {
   Options options;
   CLI::App app("Pictures of a bed of rods, and films of them.", "rod_render");
-  app.footer(
-      "Example: rod_render bed.dump --out bed.png --vessel-radius 0.305 --view side\n"
-      "         rod_render pour.dump.gz --out speed.png --colour speed --range 0 0.1\n"
-      "         rod_render bed.dump --out inside.png --vessel-radius 0.305 --cut\n"
-      "         rod_render pour.dump --frame all --out pour.png --film pour.mp4\n"
-      "         rod_render drum.dump --out drum.png --vessel-radius 0.2 --vessel-axis y");
+  app.footer("Example: rod_render bed.dump --out bed.png --vessel-radius 0.305 --view side\n"
+             "         rod_render pour.dump.gz --out speed.png --colour speed --range 0 0.1\n"
+             "         rod_render bed.dump --out inside.png --vessel-radius 0.305 --cut\n"
+             "         rod_render pour.dump --frame all --out pour.png --film pour.mp4\n"
+             "         rod_render drum.dump --out drum.png --vessel-radius 0.2 --vessel-axis y");
   add_input_options(app, options.input);
   app.add_option("--out", options.out,
                  "PNG file to write; with --frame all NAME_0001.png and so on")

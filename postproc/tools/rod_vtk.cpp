@@ -59,7 +59,7 @@ void run(const Options &options)
     throw InputError("--vessel-radius, --vessel-height: must be given together (got one of them)");
   const FrameChoice choice = parse_frame_choice(options.input.frame);
   TimeSeries series(options.out + ".pvd");
-  std::optional<OvitoFile> ovito;  // opened only once there is something to write
+  std::optional<OvitoFile> ovito;   // opened only once there is something to write
   std::vector<std::string> vessel;  // files
   std::size_t frames = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
@@ -77,8 +77,8 @@ void run(const Options &options)
       throw InputError(
           fmt::format("{}: step {} appears twice, wanted each step once", frame.path, frame.step));
     if (++frames == 1 && walls)
-      vessel = write_vessel(vessel_up_to(*walls, walls->floor + *options.vessel_height),
-                            axis, options.out);
+      vessel = write_vessel(vessel_up_to(*walls, walls->floor + *options.vessel_height), axis,
+                            options.out);
     write_poly_data(file, geometry.mesh);
     series.add(time, file);
     for (std::size_t i = 0; i < vessel.size(); i++)
@@ -97,11 +97,10 @@ int main(int argc, char **argv)
   Options options;
   CLI::App app("Rods of a dump as VTK files (.vtp, and .pvd for the series) for ParaView.",
                "rod_vtk");
-  app.footer(
-      "Example: rod_vtk pour.dump --out vtk/pour --timestep 2e-5\n"
-      "         rod_vtk pour.dump.gz --out lines --geometry lines --ovito\n"
-      "         rod_vtk bed.dump --out bed --frame last --vessel-radius 0.305 "
-      "--vessel-height 0.6");
+  app.footer("Example: rod_vtk pour.dump --out vtk/pour --timestep 2e-5\n"
+             "         rod_vtk pour.dump.gz --out lines --geometry lines --ovito\n"
+             "         rod_vtk bed.dump --out bed --frame last --vessel-radius 0.305 "
+             "--vessel-height 0.6");
   add_input_options(app, options.input);
   app.add_option("--out", options.out, "PREFIX of the files to write")->capture_default_str();
   app.add_option("--geometry", options.geometry, "capsules (triangles) or lines")

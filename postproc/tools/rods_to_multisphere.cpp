@@ -85,10 +85,9 @@ int main(int argc, char **argv)
   Options options;
   CLI::App app("The rods of a dump as bodies of spheres, fix multisphere of stock LIGGGHTS.",
                "rods_to_multisphere");
-  app.footer(
-      "Example: rods_to_multisphere bed.dump --spheres 30 --density 2700 --out bed\n"
-      "         rods_to_multisphere gas.dump --spacing 0.5 --out gas\n"
-      "         rods_to_multisphere bed.dump --spacing 1 --fit 0.05 --out bed");
+  app.footer("Example: rods_to_multisphere bed.dump --spheres 30 --density 2700 --out bed\n"
+             "         rods_to_multisphere gas.dump --spacing 0.5 --out gas\n"
+             "         rods_to_multisphere bed.dump --spacing 1 --fit 0.05 --out bed");
   add_input_options(app, options.input);
   auto *how_many = app.add_option_group("spheres", "");
   how_many->add_option("--spheres", options.count.spheres, "spheres a rod")

@@ -2,9 +2,9 @@
 // LIGGGHTS's contact model templates. They need these headers before them, in this order.
 #pragma once
 
+#include "fix_mesh_surface.h"
 #include "global_properties.h"
 #include "neighbor.h"
-#include "fix_mesh_surface.h"
 #include "vector_liggghts.h"
 // clang-format on
 #include "modify.h"

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "atom.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "contacts/contact_rates.h"
 #include "contacts/contact_state.h"
-#include "pointers.h"
 #include "host/rod_error.h"
+#include "pointers.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -69,8 +69,8 @@ class ContactMonitor : protected Pointers {
   ContactState *state_ = nullptr;
   ContactRates *rates_ = nullptr;
   bool overlap_warned_ = false;
-  bigint step_ = -1;              // of the largest overlap so far
-  double largest_before_ = 0.0;   // before that step, over the diameter
+  bigint step_ = -1;             // of the largest overlap so far
+  double largest_before_ = 0.0;  // before that step, over the diameter
   double threshold_ = 0.0;  // s^2, so that stiffness * threshold_ > m_eff means too long a step
 
   void warn_overlap(int i, int j)
@@ -80,15 +80,16 @@ class ContactMonitor : protected Pointers {
     if (j >= 0) snprintf(partner, sizeof(partner), "rod %d", atom->tag[j]);
     const char *advice = "use a stiffer contact or slower rods";
     if (state_->largest_overlap - largest_before_ > kSuddenOverlap)
-      advice = j >= 0 ? "it was not there in the step before: one of them was placed in the other"
-                      : "it was not there in the step before: the rod was placed through the wall; "
-                        "keep data files clear of walls, and insertion regions by half a rod, or the "
-                        "whole rod in the region (all_in_region of fix particletemplate/spherocylinder)";
+      advice =
+          j >= 0 ? "it was not there in the step before: one of them was placed in the other"
+                 : "it was not there in the step before: the rod was placed through the wall; "
+                   "keep data files clear of walls, and insertion regions by half a rod, or the "
+                   "whole rod in the region (all_in_region of fix particletemplate/spherocylinder)";
     rod_warning(lmp,
                 "Rod contacts: rod %d and %s overlap by %g of the diameter at step " BIGINT_FORMAT
                 ", more than %g; %s",
-                atom->tag[i], partner, state_->largest_overlap, update->ntimestep,
-                kWarnedOverlap, advice);
+                atom->tag[i], partner, state_->largest_overlap, update->ntimestep, kWarnedOverlap,
+                advice);
   }
 
   void warn(int i, double stiffness, double effective_mass)
@@ -99,8 +100,8 @@ class ContactMonitor : protected Pointers {
                 "Rod contacts: time step %g is far over the recommended %g (%g of the stability "
                 "limit %g of the contact of rod %d at step " BIGINT_FORMAT
                 "); use a shorter step or a softer contact",
-                update->dt, kRecommendedFraction * limit, kRecommendedFraction, limit,
-                atom->tag[i], update->ntimestep);
+                update->dt, kRecommendedFraction * limit, kRecommendedFraction, limit, atom->tag[i],
+                update->ntimestep);
   }
 };
 

@@ -35,9 +35,10 @@ struct ContactRates {
 
   // `arm`: from the rod's centre to the point on its axis; `depth`: from there to the contact
   // point, along -normal. `kt` is 0 without a tangential model.
-  void add(int i, double factor, double kn, double kt, const spherocylinder::InverseInertia &inverse,
-           double inverse_axial, const spherocylinder::Vec3 &axis, const spherocylinder::Vec3 &arm,
-           double depth, const spherocylinder::Vec3 &normal)
+  void add(int i, double factor, double kn, double kt,
+           const spherocylinder::InverseInertia &inverse, double inverse_axial,
+           const spherocylinder::Vec3 &axis, const spherocylinder::Vec3 &arm, double depth,
+           const spherocylinder::Vec3 &normal)
   {
     using namespace spherocylinder;
     const Vec3 contact_arm = arm - depth * normal;

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "atom.h"
-#include "host/rod_error.h"
 #include "contacts/rod_pair_geometry.h"
+#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

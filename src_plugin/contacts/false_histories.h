@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "pointers.h"
 #include "lists/touching_rod_pairs.h"
+#include "pointers.h"
 
 namespace LAMMPS_NS {
 

@@ -32,9 +32,9 @@ void set_place(ContactBatch &batch, int k, const RodPairGeometry &place, const V
 void PairGatherer::read_rod(int i)
 {
   const double *shape = atom->shape[i];
-  rods_[i] = {{load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
-               shape[2] - shape[0]},
-              shape[0]};
+  rods_[i] = {
+      {load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])), shape[2] - shape[0]},
+      shape[0]};
   motions_[i].velocity = load(atom->v[i]);
   motions_[i].omega = load(atom->omega[i]);
 }
@@ -85,8 +85,7 @@ void PairGatherer::set_kinds(ContactBatch &batch, int k) const
   arms.radius_i[k] = rods_[i].radius;
   arms.radius_j[k] = rods_[j].radius;
   // Two spheres keep LIGGGHTS's spring, so that they move as its own do.
-  const bool spheres =
-      rods_[i].segment.half_length == 0.0 && rods_[j].segment.half_length == 0.0;
+  const bool spheres = rods_[i].segment.half_length == 0.0 && rods_[j].segment.half_length == 0.0;
   arms.turning[k] = spheres ? 0.0 : 1.0;
   batch.type_i[k] = atom->type[i];
   batch.type_j[k] = atom->type[j];

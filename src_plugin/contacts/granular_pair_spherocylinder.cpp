@@ -81,9 +81,8 @@ void GranularPairSpherocylinder::init_granular()
   if (force->newton_pair)
     rod_error_all(lmp, "Pair gran with surface spherocylinder requires newton off (got newton on)");
   if (parent_->storeContactForces() || parent_->storeContactForcesStress())
-    rod_error_all(lmp,
-                  "Pair gran with surface spherocylinder stores no contact forces, as fix "
-                  "continuum/weighted wants them (expected compute pair/gran/local)");
+    rod_error_all(lmp, "Pair gran with surface spherocylinder stores no contact forces, as fix "
+                       "continuum/weighted wants them (expected compute pair/gran/local)");
   const int springs[] = {history_value(*parent_, "shearx"), -1};
   models_->connect(force->registry, keywords_, springs);
   highest_type_ = force->registry.max_type();

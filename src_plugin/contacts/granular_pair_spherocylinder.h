@@ -21,7 +21,8 @@ namespace LAMMPS_NS {
 
 // What the stock pair_style gran runs for rods: from the lists to touching pairs, batches of contacts,
 // their law, and forces.
-class GranularPairSpherocylinder : private Pointers, public LIGGGHTS::PairStyles::IGranularPairStyle {
+class GranularPairSpherocylinder : private Pointers,
+                                   public LIGGGHTS::PairStyles::IGranularPairStyle {
  public:
   GranularPairSpherocylinder(LAMMPS *lmp, PairGran *parent, std::unique_ptr<StockModels> models);
   ~GranularPairSpherocylinder() override;

@@ -64,7 +64,8 @@ void GranularWallSpherocylinder::init_granular()
 
 void GranularWallSpherocylinder::compute_force(FixWallGran *,
                                                LIGGGHTS::ContactModels::SurfacesIntersectData &,
-                                               bool, double *, FixMeshSurface *, int, TriMesh *, int)
+                                               bool, double *, FixMeshSurface *, int, TriMesh *,
+                                               int)
 {
   rod_error_one(lmp, "Fix %s (id %s): surface spherocylinder was asked for one sphere's contact",
                 parent_->style, parent_->id);
@@ -85,7 +86,8 @@ void GranularWallSpherocylinder::compute_forces(FixWallGran &fix, const MovingWa
     observers.push_back(&loads);
   if (fix.heattransfer_flag()) observers.push_back(&heat);
   if (ContactRates *wanted = monitor_.rates()) observers.push_back(&rates.emplace(lmp, *wanted, 0));
-  if (ContactRows *wanted = ContactRows::collecting(fix.compute_wall_gran_local(), update->ntimestep))
+  if (ContactRows *wanted =
+          ContactRows::collecting(fix.compute_wall_gran_local(), update->ntimestep))
     observers.push_back(&rows.emplace(lmp, *wanted, &fix));
 
   law_->begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});

@@ -40,8 +40,8 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
   void part(int i, double *history) override;
 
   // For the loop of LIGGGHTS's own fix, which the rods' fix does not run.
-  void compute_force(FixWallGran *, LIGGGHTS::ContactModels::SurfacesIntersectData &, bool, double *,
-                     FixMeshSurface *, int, TriMesh *, int) override;
+  void compute_force(FixWallGran *, LIGGGHTS::ContactModels::SurfacesIntersectData &, bool,
+                     double *, FixMeshSurface *, int, TriMesh *, int) override;
 
  private:
   FixWallGran *parent_;

@@ -42,10 +42,10 @@ class LinearSlider : protected Pointers {
     const bool updating = sidata.computeflag && sidata.shearupdate;
     const double most = friction_[sidata.itype][sidata.jtype] * std::fabs(sidata.Fn);
     Vec3 ours = updating ? loaded_spring(spring_, slip, n, update->dt) : spring_, theirs = ours;
-    const Vec3 wanted = sliding_force<SliderLimits::WholeForce>(ours, slip, sidata.kt,
-                                                                sidata.gammat, most);
-    const Vec3 there = sliding_force<SliderLimits::SpringAlone>(theirs, slip, sidata.kt,
-                                                                sidata.gammat, most);
+    const Vec3 wanted =
+        sliding_force<SliderLimits::WholeForce>(ours, slip, sidata.kt, sidata.gammat, most);
+    const Vec3 there =
+        sliding_force<SliderLimits::SpringAlone>(theirs, slip, sidata.kt, sidata.gammat, most);
     if (updating) store(ours, spring);
     const Vec3 change = wanted - there, twist = cross(n, change);
     add_to(i_forces.delta_F, change);

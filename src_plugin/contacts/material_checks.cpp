@@ -16,7 +16,8 @@ void LAMMPS_NS::check_types_have_properties(LAMMPS *lmp, int highest)
   for (int i = 0; i < atom->nlocal + atom->nghost; i++)
     if (atom->type[i] > highest)
       rod_error_one(lmp,
-                    "Pair gran: rod %d has atom type %d at step " BIGINT_FORMAT ", but materials were "
+                    "Pair gran: rod %d has atom type %d at step " BIGINT_FORMAT
+                    ", but materials were "
                     "set up for types up to %d, the highest in use when LIGGGHTS last did so "
                     "(expected run without pre no after a command that changes types)",
                     atom->tag[i], atom->type[i], lmp->update->ntimestep, highest);
@@ -30,8 +31,9 @@ void LAMMPS_NS::check_friction(LAMMPS *lmp)
   for (int i = 1; friction && i <= registry.max_type(); i++)
     for (int j = 1; j <= registry.max_type(); j++)
       if (!(friction[i][j] >= 0.0))
-        rod_error_all(lmp,
-                      "Surface spherocylinder: coefficientFriction must be >= 0 (got %g for atom types "
-                      "%d and %d)",
-                      friction[i][j], i, j);
+        rod_error_all(
+            lmp,
+            "Surface spherocylinder: coefficientFriction must be >= 0 (got %g for atom types "
+            "%d and %d)",
+            friction[i][j], i, j);
 }

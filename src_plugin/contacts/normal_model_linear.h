@@ -57,8 +57,8 @@ class NormalModel<NORMAL_LINEAR> : public NormalModelBase {
     const double two_beta = -2.0 * beta_[sidata.itype][sidata.jtype];
     const double gamman = two_beta * sqrt(kn * sidata.meff);
 
-    const double Fn = spherocylinder::normal_force(kn, sidata.deltan, gamman, sidata.vn,
-                                                   keywords_.limit_force);
+    const double Fn =
+        spherocylinder::normal_force(kn, sidata.deltan, gamman, sidata.vn, keywords_.limit_force);
 
     sidata.Fn = Fn;
     sidata.kn = kn;

@@ -72,19 +72,18 @@ void RowWriter::see(const ContactBatch &batch)
     if (!batch.can_move(k)) continue;
     const int i = batch.i[k];
     const Vec3 normal = batch.arms.normal.get(k);
-    const ContactRow row = {
-        i,
-        batch.j[k],
-        batch.loads.force.get(k),
-        batch.loads.torque_i.get(k),
-        normal,
-        load(atom->x[i]) + batch.arms.arm_i.get(k) - batch.depth_i(k) * normal,
-        batch.arms.velocity_j.get(k),
-        batch.history[k],
-        batch.arms.radius_i[k],
-        batch.arms.radius_j[k],
-        batch.arms.distance[k],
-        batch.arms.overlap[k]};
+    const ContactRow row = {i,
+                            batch.j[k],
+                            batch.loads.force.get(k),
+                            batch.loads.torque_i.get(k),
+                            normal,
+                            load(atom->x[i]) + batch.arms.arm_i.get(k) - batch.depth_i(k) * normal,
+                            batch.arms.velocity_j.get(k),
+                            batch.history[k],
+                            batch.arms.radius_i[k],
+                            batch.arms.radius_j[k],
+                            batch.arms.distance[k],
+                            batch.arms.overlap[k]};
     if (wall_)
       rows_.add_wall_contact(*wall_, batch.end[k], row);
     else
@@ -109,8 +108,7 @@ void WallLoads::see(const ContactBatch &batch)
       store(batch.arms.velocity_j.get(k), wall_velocity);
       fix_.add_contactforce_stress_wall(i, total, delta, wall_velocity, 0);
     }
-    if (fix_.store_force())
-      add_to(fix_.fix_wallforce()->array_atom[i], load(total.delta_F));
+    if (fix_.store_force()) add_to(fix_.fix_wallforce()->array_atom[i], load(total.delta_F));
     total.reset();
   }
 }

@@ -16,7 +16,8 @@ static double close_skin_of(LAMMPS *lmp, const char *value)
   char *end = nullptr;
   const double skin = strtod(value, &end);
   if (*end != '\0' || !(skin > 0.0) || !std::isfinite(skin))
-    rod_error_all(lmp, "Surface spherocylinder: close_skin must be auto or a length > 0 (got %s)", value);
+    rod_error_all(lmp, "Surface spherocylinder: close_skin must be auto or a length > 0 (got %s)",
+                  value);
   return skin;
 }
 
@@ -36,14 +37,16 @@ std::vector<char *> RodKeywords::take_from(LAMMPS *lmp, int nargs, char **args)
     else if (strcmp(value, "five_step") == 0 || strcmp(value, "exact") == 0)
       five_step = value[0] == 'f';
     else
-      rod_error_all(lmp, "Surface spherocylinder: search must be exact or five_step (got %s)", value);
+      rod_error_all(lmp, "Surface spherocylinder: search must be exact or five_step (got %s)",
+                    value);
   }
   // Every keyword has one value; LIGGGHTS's reader takes it for granted.
   if (others.size() % 2 == 1)
-    rod_error_all(lmp,
-                  "Surface spherocylinder: the keywords behind the models must each have a value (the "
-                  "last word, %s, has none)",
-                  others.back());
+    rod_error_all(
+        lmp,
+        "Surface spherocylinder: the keywords behind the models must each have a value (the "
+        "last word, %s, has none)",
+        others.back());
   for (size_t k = 0; k < others.size(); k += 2)
     if (!has(others[k]) && !LinearKeywords::has(others[k])) are_all_of_rods = false;
   return others;

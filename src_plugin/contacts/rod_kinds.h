@@ -24,8 +24,8 @@ class RodKinds {
   void add(int type, const spherocylinder::Capsule &rod,
            const spherocylinder::InverseInertia &inverse)
   {
-    const Kind kind = {type, rod.radius, rod.segment.half_length, inverse.mass, inverse.transverse,
-                       inverse.is_driven};
+    const Kind kind = {type,         rod.radius,         rod.segment.half_length,
+                       inverse.mass, inverse.transverse, inverse.is_driven};
     int k = of_rods_.empty() ? kNone : of_rods_.back();  // often that of the rod before
     if (k == kNone || !(known_[k] == kind))
       for (k = 0; k < static_cast<int>(known_.size()) && !(known_[k] == kind);) k++;

@@ -46,9 +46,8 @@ RodPairGeometry LAMMPS_NS::geometry_of(const Touch &touch, const std::vector<Cap
   }
 
   const Vec3 normal = distance != 0.0 ? (1.0 / distance) * contact.points.delta
-                      : was_touching
-                          ? (1.0 / norm(load(side))) * load(side)
-                          : common_perpendicular(rod_i.segment.axis, rod_j.segment.axis);
+                      : was_touching  ? (1.0 / norm(load(side))) * load(side)
+                                     : common_perpendicular(rod_i.segment.axis, rod_j.segment.axis);
   return {contact.points.s, contact.points.t, normal,           distance,        contact.overlap,
           contact.share,    contact.sideways, contact.couple_i, contact.couple_j};
 }

@@ -48,9 +48,9 @@ RodPairGeometry geometry_of(const TouchingRodPairs::Touch &touch,
 // axes have not passed each other (or the caller minds that). `reach`: sum of the radii.
 inline RodPairGeometry closest_geometry(const TouchingRodPairs::Touch &touch, double reach)
 {
-  return {touch.points.s, touch.points.t,         (1.0 / touch.distance) * touch.points.delta,
-          touch.distance, reach - touch.distance, 1.0,
-          {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  return {touch.points.s,  touch.points.t,         (1.0 / touch.distance) * touch.points.delta,
+          touch.distance,  reach - touch.distance, 1.0,
+          {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0},        {0.0, 0.0, 0.0}};
 }
 
 }  // namespace LAMMPS_NS

@@ -16,8 +16,10 @@ void LAMMPS_NS::add_spread(ContactBatch &batch)
     const double kn = loads.stiffness[k];
     const Vec3 sideways = kn * over_stiffness;
     loads.force.set(k, loads.force.get(k) + sideways);
-    loads.torque_i.set(k, loads.torque_i.get(k) + cross(arms.arm_i.get(k), sideways) + kn * couple_i);
-    loads.torque_j.set(k, loads.torque_j.get(k) - cross(arms.arm_j.get(k), sideways) + kn * couple_j);
+    loads.torque_i.set(k,
+                       loads.torque_i.get(k) + cross(arms.arm_i.get(k), sideways) + kn * couple_i);
+    loads.torque_j.set(k,
+                       loads.torque_j.get(k) - cross(arms.arm_j.get(k), sideways) + kn * couple_j);
   }
 }
 

@@ -217,7 +217,8 @@ void StockLaw<ContactModel>::evaluate(ContactBatch &batch)
     // The tangential spring turns with the pair about its normal, by the mean of the two spins;
     // LIGGGHTS turns it with the normal only.
     const int end = batch.end[k];
-    double *spring = batch.history[k] && springs_[end] >= 0 ? batch.history[k] + springs_[end] : nullptr;
+    double *spring =
+        batch.history[k] && springs_[end] >= 0 ? batch.history[k] + springs_[end] : nullptr;
     if (spring && arms.turning[k] != 0.0 && step_.springs_go_on)
       store(turned_spring(load(spring), place.normal, arms.omega_i.get(k), arms.omega_j.get(k),
                           arms.turning[k], step_.dt),

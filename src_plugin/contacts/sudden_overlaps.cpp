@@ -6,8 +6,8 @@
 #include "atom.h"
 #include "comm.h"
 #include "core/vec3.h"
-#include "parallel/from_all_ranks.h"
 #include "host/rod_error.h"
+#include "parallel/from_all_ranks.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -54,12 +54,12 @@ void SuddenOverlaps::end_run(const Deep &found) const
 {
   using namespace spherocylinder;
   const double diameter = atom->shape[found.i][0] + atom->shape[found.j][0];
-  const double way =
-      update->dt * norm(load(atom->v[found.i]) - load(atom->v[found.j])) / diameter;
-  rod_error_one(lmp,
-                "Pair gran with surface spherocylinder: rods %d and %d overlap by %g of the diameter "
-                "at step " BIGINT_FORMAT " and hardly touched in the step before, so that some command "
-                "or fix has put one of them there (by their velocities they come %g diameters nearer "
-                "in a step); wanted at most %g at once, or sudden_overlap on in pair_style",
-                found.id, found.other_id, found.overlap, update->ntimestep, way, kSuddenOverlap);
+  const double way = update->dt * norm(load(atom->v[found.i]) - load(atom->v[found.j])) / diameter;
+  rod_error_one(
+      lmp,
+      "Pair gran with surface spherocylinder: rods %d and %d overlap by %g of the diameter "
+      "at step " BIGINT_FORMAT " and hardly touched in the step before, so that some command "
+      "or fix has put one of them there (by their velocities they come %g diameters nearer "
+      "in a step); wanted at most %g at once, or sudden_overlap on in pair_style",
+      found.id, found.other_id, found.overlap, update->ntimestep, way, kSuddenOverlap);
 }

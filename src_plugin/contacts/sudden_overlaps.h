@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "pointers.h"
 #include "contacts/contact_monitor.h"
+#include "pointers.h"
 
 namespace LAMMPS_NS {
 

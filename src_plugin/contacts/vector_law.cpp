@@ -19,10 +19,7 @@ double aspect_ratio(const Atom &atom, int i) { return atom.shape[i][2] / atom.sh
 
 }  // namespace
 
-VectorLaw::VectorLaw(LAMMPS *lmp) : Pointers(lmp)
-{
-  std::fill_n(kinds_, kBatch, RodKinds::kNone);
-}
+VectorLaw::VectorLaw(LAMMPS *lmp) : Pointers(lmp) { std::fill_n(kinds_, kBatch, RodKinds::kNone); }
 
 void VectorLaw::connect(PropertyRegistry &registry, Tangential tangential,
                         const LinearKeywords &keywords, const int (&springs)[2])
@@ -37,8 +34,8 @@ void VectorLaw::connect(PropertyRegistry &registry, Tangential tangential,
   law_.tangential = tangential;
   law_.tangential_damping = keywords.tangential_damping;
   law_.limit_force = keywords.limit_force;
-  law_.slider = keywords.limit_tangential_damping ? SliderLimits::WholeForce
-                                                  : SliderLimits::SpringAlone;
+  law_.slider =
+      keywords.limit_tangential_damping ? SliderLimits::WholeForce : SliderLimits::SpringAlone;
   aspect_scaling_ = keywords.aspect_scaling;
   std::copy_n(springs, 2, springs_);
 }

@@ -56,8 +56,7 @@ ClosestPoints closest_points(const Segment &i, const Segment &j)
   const Vec3 between = j.centre - i.centre;
   const double size = std::fabs(between.x) + std::fabs(between.y) + std::fabs(between.z) + hi + hj;
   const double uncertain = kClosestPointsRounding * size;
-  if (std::fabs(s_outside) <= uncertain || std::fabs(t_outside) <= uncertain)
-    return best_end(i, j);
+  if (std::fabs(s_outside) <= uncertain || std::fabs(t_outside) <= uncertain) return best_end(i, j);
   if (t_outside < 0.0) return end_of_i(i, std::copysign(hi, s_scaled), j);
   if (s_outside < 0.0) return end_of_j(i, j, std::copysign(hj, t_scaled));
   ClosestPoints best = end_of_i(i, std::copysign(hi, s_scaled), j);

@@ -9,10 +9,10 @@ namespace spherocylinder {
 
 struct SegmentPairs {
   // In: of each pair (space frame, m).
-  Vec3s between;             // centre of j less that of i
-  Vec3s axis_i, axis_j;      // unit
-  Doubles half_i, half_j;    // half the lengths of the segments
-  Doubles reach;             // sum of the radii
+  Vec3s between;           // centre of j less that of i
+  Vec3s axis_i, axis_j;    // unit
+  Doubles half_i, half_j;  // half the lengths of the segments
+  Doubles reach;           // sum of the radii
 
   // Out: as in ClosestPoints.
   Doubles s, t;

@@ -26,11 +26,11 @@ struct ContactArms {
 
 // What a law makes of them.
 struct ContactLoads {
-  Vec3s force;               // on i; j feels its opposite
-  Vec3s torque_i, torque_j;  // about the centres
+  Vec3s force;                              // on i; j feels its opposite
+  Vec3s torque_i, torque_j;                 // about the centres
   Doubles stiffness, tangential_stiffness;  // N/m
-  Doubles inverse_mass;      // 1/m_eff; 0 if neither can move: the rest are no numbers then
-  Doubles effective_mass;    // that damping goes by: the contact's share of m_eff (kg)
+  Doubles inverse_mass;    // 1/m_eff; 0 if neither can move: the rest are no numbers then
+  Doubles effective_mass;  // that damping goes by: the contact's share of m_eff (kg)
 };
 
 // One contact of a batch on its way to a law.
@@ -38,9 +38,9 @@ struct ContactPlace {
   Vec3 normal;      // unit, towards i; as it was if the axes have passed each other
   double distance;  // along it, negative then
   double overlap;
-  double from_i, from_j;       // of the contact point, midway in the overlap, from p and q
+  double from_i, from_j;        // of the contact point, midway in the overlap, from p and q
   Vec3 velocity_i, velocity_j;  // of p and q, half a step ago
-  double inverse_mass;         // 1/m_eff; 0 if neither can move
+  double inverse_mass;          // 1/m_eff; 0 if neither can move
 };
 
 SPHEROCYLINDER_INLINE ContactPlace place_of(const ContactArms &c, int k, double dt)

@@ -24,8 +24,8 @@ SPHEROCYLINDER_INLINE Vec3 velocity_half_a_step_ago(const Vec3 &velocity, const 
 
 // Reciprocals, worked out once a rod and step and used once a contact.
 struct InverseInertia {
-  double mass;        // 1/m, 1/kg
-  double transverse;  // 1/I_t, 1/(kg m^2)
+  double mass;             // 1/m, 1/kg
+  double transverse;       // 1/I_t, 1/(kg m^2)
   bool is_driven = false;  // moved by hand, whatever pushes it
 };
 

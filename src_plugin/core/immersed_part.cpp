@@ -28,8 +28,8 @@ struct Slice {
 
 struct Cut {
   double half_cylinder, radius;
-  double height;          // of the rod's centre above the surface
-  double cosine, sine;    // of the tilt
+  double height;        // of the rod's centre above the surface
+  double cosine, sine;  // of the tilt
 
   double height_at(double s) const { return height + s * cosine; }
 
@@ -111,8 +111,7 @@ ImmersedPart immersed_part(const Capsule &rod, const Vec3 &up, double surface)
       }
   }
   if (!(sum.area > 0.0)) return {0.0, {0.0, 0.0, 0.0}};
-  return {sum.area,
-          (1.0 / sum.area) * (sum.moment_along * axis + sum.moment_across * steepest)};
+  return {sum.area, (1.0 / sum.area) * (sum.moment_along * axis + sum.moment_across * steepest)};
 }
 
 }  // namespace spherocylinder

@@ -11,8 +11,8 @@ namespace {
 #define APART __restrict__
 
 template <Tangential tangential, SliderLimits limits, bool tangential_damping, bool limit_force>
-SPHEROCYLINDER_INLINE void all_contacts(ContactArms &APART  c, LinearMaterials &APART  m,
-                                        ContactLoads &APART  out, const LinearLaw &law)
+SPHEROCYLINDER_INLINE void all_contacts(ContactArms &APART c, LinearMaterials &APART m,
+                                        ContactLoads &APART out, const LinearLaw &law)
 {
   const double dt = law.dt, spring_dt = law.spring_dt;
   for (int k = 0; k < kBatch; k++) {
@@ -60,8 +60,8 @@ SPHEROCYLINDER_INLINE void all_contacts(ContactArms &APART  c, LinearMaterials &
 
 // Every way a deck can ask for, each a function of its own: nothing is decided per contact.
 template <Tangential tangential, SliderLimits limits>
-SPHEROCYLINDER_INLINE void with_options(ContactArms &APART  arms, LinearMaterials &APART  materials,
-                                        ContactLoads &APART  loads, const LinearLaw &law)
+SPHEROCYLINDER_INLINE void with_options(ContactArms &APART arms, LinearMaterials &APART materials,
+                                        ContactLoads &APART loads, const LinearLaw &law)
 {
   if (law.tangential_damping) {
     if (law.limit_force)
@@ -78,13 +78,16 @@ SPHEROCYLINDER_INLINE void with_options(ContactArms &APART  arms, LinearMaterial
 
 }  // namespace
 
-SPHEROCYLINDER_VECTOR void linear_contacts(ContactArms &APART  arms, LinearMaterials &APART  materials,
-                                           const LinearLaw &law, ContactLoads &APART  loads)
+SPHEROCYLINDER_VECTOR void linear_contacts(ContactArms &APART arms,
+                                           LinearMaterials &APART materials, const LinearLaw &law,
+                                           ContactLoads &APART loads)
 {
   constexpr SliderLimits kWhole = SliderLimits::WholeForce, kSpring = SliderLimits::SpringAlone;
   switch (law.tangential) {
     case Tangential::Off: with_options<Tangential::Off, kWhole>(arms, materials, loads, law); break;
-    case Tangential::NoHistory: with_options<Tangential::NoHistory, kWhole>(arms, materials, loads, law); break;
+    case Tangential::NoHistory:
+      with_options<Tangential::NoHistory, kWhole>(arms, materials, loads, law);
+      break;
     case Tangential::History:
       if (law.slider == kWhole)
         with_options<Tangential::History, kWhole>(arms, materials, loads, law);

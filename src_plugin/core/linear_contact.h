@@ -24,7 +24,7 @@ struct LinearMaterials {
   Doubles stiffness, tangential_stiffness;  // N/m
   Doubles two_beta;                         // damping 2 beta sqrt(k m_eff)
   Doubles friction;
-  Vec3s spring;                             // m, in and out
+  Vec3s spring;  // m, in and out
 };
 
 // Works out all kBatch contacts; those that were not set are of no meaning. Normal, distance and overlap

@@ -63,8 +63,7 @@ void NearPairs::lay_grid(const std::vector<Capsule> &rods, int owned, double gap
   for (int i = 0; i < owned; i++) {
     const Segment &segment = rods[i].segment;
     const double around = rods[i].radius + 0.5 * (gap + spacing_);
-    const Vec3 extent =
-        segment.half_length * absolute(segment.axis) + Vec3{around, around, around};
+    const Vec3 extent = segment.half_length * absolute(segment.axis) + Vec3{around, around, around};
     low = smaller(low, segment.centre - extent);
     high = larger(high, segment.centre + extent);
     cubes += cubes_on(segment);
@@ -171,9 +170,9 @@ void NearPairs::keep_near(const std::vector<Capsule> &rods, int i, double gap)
                  rods[i].radius + rods[js[k]].radius + gap);
     closest_points(batch_);
     for (int k = 0; k < count; k++) {
-      if (batch_.uncertain[k] != 0.0)
-        make_certain(batch_, k, rods[i].segment, rods[js[k]].segment);
-      if (batch_.distance_squared[k] < batch_.reach[k] * batch_.reach[k]) partners_.push_back(js[k]);
+      if (batch_.uncertain[k] != 0.0) make_certain(batch_, k, rods[i].segment, rods[js[k]].segment);
+      if (batch_.distance_squared[k] < batch_.reach[k] * batch_.reach[k])
+        partners_.push_back(js[k]);
     }
   }
 }

@@ -42,9 +42,9 @@ class NearPairs {
   int nx_ = 0, ny_ = 0, nz_ = 0;
   double spacing_ = 0.0;  // of the cubes on an axis, at most (m)
 
-  std::vector<int> first_of_cell_, rods_in_cells_;   // rods of each cell, ascending
-  std::vector<int> first_of_rod_, cells_of_rods_;    // cells of each rod
-  std::vector<int> last_seen_;                       // of each rod: whose candidate it was last
+  std::vector<int> first_of_cell_, rods_in_cells_;  // rods of each cell, ascending
+  std::vector<int> first_of_rod_, cells_of_rods_;   // cells of each rod
+  std::vector<int> last_seen_;                      // of each rod: whose candidate it was last
   std::vector<int> first_, partners_, candidates_;
   int64_t tried_ = 0;
   SegmentPairs batch_{};

@@ -11,10 +11,7 @@
 
 namespace spherocylinder {
 
-inline std::size_t thread_count()
-{
-  return std::max(std::thread::hardware_concurrency(), 1u);
-}
+inline std::size_t thread_count() { return std::max(std::thread::hardware_concurrency(), 1u); }
 
 // Calls work(begin, end) for pieces that make up 0 .. count, each piece once, from several threads.
 // The pieces are `grain` long whatever the number of threads, so that sums kept piece by piece and

@@ -47,8 +47,8 @@ Quaternion orientation_of(const Vec3 &axis)
 Quaternion rotate_freely(const Quaternion &q, const Vec3 &angular_momentum, double inertia_axial,
                          double inertia_transverse, double dt)
 {
-  const HalfAngles half = half_angles(q, angular_momentum, 1.0 / inertia_axial,
-                                      1.0 / inertia_transverse, dt);
+  const HalfAngles half =
+      half_angles(q, angular_momentum, 1.0 / inertia_axial, 1.0 / inertia_transverse, dt);
   return renormalized(turned(q, half, cosine_and_sinc(norm_squared(half.precession)),
                              cosine_and_sinc(half.spin * half.spin)));
 }

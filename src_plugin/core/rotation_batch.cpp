@@ -17,8 +17,8 @@ SPHEROCYLINDER_VECTOR void rotate_freely(RodRotations &rods, double dt)
     const double inverse_transverse = 1.0 / rods.inertia_transverse[k];
     const HalfAngles half = half_angles(q, momentum, inverse_axial, inverse_transverse, dt);
     const double precession = norm_squared(half.precession), spin = half.spin * half.spin;
-    const Quaternion product = turned(q, half, cosine_and_sinc_by_series(precession),
-                                      cosine_and_sinc_by_series(spin));
+    const Quaternion product =
+        turned(q, half, cosine_and_sinc_by_series(precession), cosine_and_sinc_by_series(spin));
     const double squared = norm_squared(product);
     const Quaternion result = nearly_unit(product, squared);
     rods.new_w[k] = result.w;

@@ -90,10 +90,7 @@ class Push {
   void add_middle_on_j(double by_middle) { force_ = force_ - by_middle * j_.axis; }
 
   // By u.v, which changes by u x v as i turns.
-  void add_cosine(double by_cosine)
-  {
-    torque_ = torque_ - by_cosine * cross(i_.axis, j_.axis);
-  }
+  void add_cosine(double by_cosine) { torque_ = torque_ - by_cosine * cross(i_.axis, j_.axis); }
 
   // Makes of the closest point's contact the one that it all comes to.
   void resultant(RodContact &result) const

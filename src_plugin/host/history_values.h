@@ -11,7 +11,10 @@ namespace LAMMPS_NS {
 inline int history_value(PairGran &pair, const std::string &name)
 {
   struct Access : PairGran {  // names PairGran's protected list
-    static const std::vector<HistoryArg> &values(PairGran &of) { return of.*(&Access::history_arg); }
+    static const std::vector<HistoryArg> &values(PairGran &of)
+    {
+      return of.*(&Access::history_arg);
+    }
   };
   const auto &values = Access::values(pair);
   for (size_t k = 0; k < values.size(); k++)

@@ -2,11 +2,11 @@
 #include "insertion/particle_to_insert_spherocylinder.h"
 
 #include "atom.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "core/mass_properties.h"
-#include "region.h"
 #include "host/rod_error.h"
 #include "insertion/rod_insertion_list.h"
+#include "region.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;

@@ -16,8 +16,8 @@ class ParticleToInsertSpherocylinder : public ParticleToInsert {
  public:
   ParticleToInsertSpherocylinder(LAMMPS *lmp, FixPropertyAtom *fix_release);
 
-  double diameter = 0.0;      // m
-  double total_length = 0.0;  // m
+  double diameter = 0.0;        // m
+  double total_length = 0.0;    // m
   Region *container = nullptr;  // both end spheres must lie in it; none if null
   bool placed = false;          // insert() was called since the owner cleared it
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "atom.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "bounding_box.h"
 #include "core/closest_points.h"
 #include "domain.h"
 #include "error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -9,10 +9,10 @@
 #include "core/rotation.h"
 #include "core/skin.h"
 #include "domain.h"
+#include "host/rod_error.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
-#include "host/rod_error.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
@@ -59,8 +59,9 @@ bool CloseRodPairs::have_rods_migrated()
 void CloseRodPairs::check_rods_are_the_same() const
 {
   if (!list_.is_of_present_rods())
-    rod_error_one(lmp, "Run: pre no cannot be used after a command has deleted, added or renamed rods, "
-                       "the list of pairs is that of the rods before (expected run without pre no)");
+    rod_error_one(lmp,
+                  "Run: pre no cannot be used after a command has deleted, added or renamed rods, "
+                  "the list of pairs is that of the rods before (expected run without pre no)");
 }
 
 // Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about

@@ -75,13 +75,13 @@ class CloseRodPairs : protected Pointers {
  private:
   RodPairList list_;
   bool skin_is_chosen_ = true;
-  bool skins_are_tried_ = false;  // long enough to choose others
-  bigint seen_builds_ = -1;               // of LIGGGHTS's lists, in this run
-  double diameter_ = 0.0;                 // mean of all rods at hand (m)
-  double skin_ = 0.0, list_skin_ = 0.0;   // m
-  std::vector<spherocylinder::Capsule> reference_;      // of the close pairs
+  bool skins_are_tried_ = false;                         // long enough to choose others
+  bigint seen_builds_ = -1;                              // of LIGGGHTS's lists, in this run
+  double diameter_ = 0.0;                                // mean of all rods at hand (m)
+  double skin_ = 0.0, list_skin_ = 0.0;                  // m
+  std::vector<spherocylinder::Capsule> reference_;       // of the close pairs
   std::vector<spherocylinder::Segment> list_reference_;  // of the outer list
-  std::array<double, 3> list_box_{};                    // m, when it was made
+  std::array<double, 3> list_box_{};                     // m, when it was made
   std::vector<char> moved_;
   bool any_moved_ = false;
   std::vector<Entry> entries_, next_entries_;

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "atom.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "lists/rod_shifts.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
@@ -33,8 +33,7 @@ bool NearWallRods::is_near(const WallSurface &surface, int i) const
   return ends.count == 0 || ends.touch(rod.radius + skin_);
 }
 
-bool NearWallRods::renew(const WallSurface &surface, const int *candidates, int count,
-                         int groupbit)
+bool NearWallRods::renew(const WallSurface &surface, const int *candidates, int count, int groupbit)
 {
   RodShifts &shifts = style_of(*atom).attached<RodShifts>();
   if (known_ && version_ == shifts.version()) {

@@ -30,9 +30,9 @@ class NearWallRods : protected Pointers {
 
  private:
   bool known_ = false;
-  double skin_ = 0.0;          // m
-  double longest_ = 0.0;       // half an axis (m)
-  int version_ = 0;            // of the poses that the list was made at
+  double skin_ = 0.0;                     // m
+  double longest_ = 0.0;                  // half an axis (m)
+  int version_ = 0;                       // of the poses that the list was made at
   spherocylinder::Vec3 surface_point_{};  // then
   std::vector<int> near_, far_;
 

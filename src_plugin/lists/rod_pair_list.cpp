@@ -22,7 +22,7 @@ struct Exclusion : Neighbor {
   static bool of(const Neighbor &neighbor, int i, int j, const Atom &atom)
   {
     return (neighbor.*(&Exclusion::exclusion))(i, j, atom.type[i], atom.type[j], atom.mask,
-                                              atom.molecule) != 0;
+                                               atom.molecule) != 0;
   }
 };
 
@@ -105,8 +105,7 @@ bool RodPairList::is_of_present_rods() const
          std::equal(ids_.begin(), ids_.end(), atom->tag);
 }
 
-void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, double gap,
-                        bool migrated)
+void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, double gap, bool migrated)
 {
   NeighList &list = *pair.list;
   const int owned = neighbor->includegroup ? atom->nfirst : atom->nlocal;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "lists/rod_pair_report.h"
 
-#include <mpi.h>
-
 #include <cinttypes>
 #include <cstdio>
 
+#include <mpi.h>
+
 #include "atom.h"
-#include "rods/atom_vec_spherocylinder.h"
+#include "comm.h"
 #include "lists/close_rod_pairs.h"
 #include "lists/lists_in_use.h"
-#include "comm.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 

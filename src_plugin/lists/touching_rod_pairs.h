@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lists/close_rod_pairs.h"
 #include "core/closest_points_batch.h"
+#include "lists/close_rod_pairs.h"
 
 namespace LAMMPS_NS {
 

@@ -13,8 +13,8 @@ namespace LAMMPS_NS {
 __attribute__((visibility("default"))) void DumpCustom::pack_diameter(int n)
 {
   using Pack = void (*)(DumpCustom *, int);
-  static const auto original = reinterpret_cast<Pack>(
-      dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS10DumpCustom13pack_diameterEi"));
+  static const auto original =
+      reinterpret_cast<Pack>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS10DumpCustom13pack_diameterEi"));
   if (!dynamic_cast<AtomVecSpherocylinder *>(atom->avec)) {
     original(this, n);
     return;

@@ -8,23 +8,23 @@
 //   Input::execute_command, LAMMPS::init  where rods meet what LIGGGHTS offers: refused styles end here
 //   Finish::end          prints the statistics after a run
 // All call the original and add to it.
-#include <dlfcn.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 
+#include <dlfcn.h>
+
 #include "atom.h"
 #include "error.h"
 #include "finish.h"
-#include "loader/host_build.h"
-#include "loader/host_checks.h"
 #include "host/host_version.h"
 #include "input.h"
 #include "lammps.h"
-#include "loader/style_table.h"
 #include "lists/rod_pair_report.h"
+#include "loader/host_build.h"
+#include "loader/host_checks.h"
+#include "loader/style_table.h"
 #include "universe.h"
 
 #define EXPORT __attribute__((visibility("default")))

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "loader/host_build.h"
 
-#include <dlfcn.h>
-
 #include <cstdio>
 #include <cstring>
+
+#include <dlfcn.h>
 
 #include "atom.h"
 #include "comm.h"
@@ -33,7 +33,8 @@ constexpr Mark kMarks[] = {
     {"_ZN9LAMMPS_NS19AtomVecSuperquadricC1EPNS_6LAMMPSE", false, "it is built with superquadrics"},
     {"_ZN9LAMMPS_NS17AtomVecConvexHullC1EPNS_6LAMMPSE", false, "it is built with convex hulls"},
     {"_ZN9LAMMPS_NS6Output5writeEl", true, "its time steps have not 64 bits (LAMMPS_SMALLSMALL)"},
-    {"_ZN9LAMMPS_NS13AtomVecAtomic9data_atomEPdiPPc", true, "its ids have not 32 bits (LAMMPS_BIGBIG)"},
+    {"_ZN9LAMMPS_NS13AtomVecAtomic9data_atomEPdiPPc", true,
+     "its ids have not 32 bits (LAMMPS_BIGBIG)"},
     {"_ZN9LAMMPS_NS6LAMMPSC1EiPPcP19ompi_communicator_t", true, "it is not built with Open MPI"},
 };
 

@@ -14,16 +14,16 @@
 #include "fix.h"
 #include "force.h"
 #include "group.h"
-#include "loader/host_styles.h"
-#include "lammps.h"
 #include "host/member_access.h"
 #include "host/rod_error.h"
+#include "lammps.h"
+#include "loader/host_styles.h"
+#include "loader/run_checks.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
 #include "region.h"
 #include "rods/atom_vec_spherocylinder.h"
-#include "loader/run_checks.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -149,11 +149,12 @@ void renew_lists_in_time(LAMMPS *lmp)
   Neighbor &neighbor = *lmp->neighbor;
   if (neighbor.every <= 1 && neighbor.delay <= 1 && !neighbor.build_once) return;
   if (lmp->comm->me == 0)
-    rod_warning(lmp,
-                "Command neigh_modify with atom_style spherocylinder: every 1 delay 0 check yes are "
-                "used (got every %d delay %d check %s once %s), later ones would miss contacts",
-                neighbor.every, neighbor.delay, neighbor.dist_check ? "yes" : "no",
-                neighbor.build_once ? "yes" : "no");
+    rod_warning(
+        lmp,
+        "Command neigh_modify with atom_style spherocylinder: every 1 delay 0 check yes are "
+        "used (got every %d delay %d check %s once %s), later ones would miss contacts",
+        neighbor.every, neighbor.delay, neighbor.dist_check ? "yes" : "no",
+        neighbor.build_once ? "yes" : "no");
   neighbor.every = 1;
   neighbor.delay = 0;
   neighbor.dist_check = 1;
@@ -164,11 +165,12 @@ void check_ghosts(LAMMPS *lmp)
 {
   const int group = lmp->comm->*member(GhostGroup());
   if (group > 0)
-    rod_error_all(lmp,
-                  "Command communicate with atom_style spherocylinder: group %s leaves out rods of "
-                  "other ranks and images, whose contacts would be missed; use communicate single vel "
-                  "yes",
-                  lmp->group->names[group]);
+    rod_error_all(
+        lmp,
+        "Command communicate with atom_style spherocylinder: group %s leaves out rods of "
+        "other ranks and images, whose contacts would be missed; use communicate single vel "
+        "yes",
+        lmp->group->names[group]);
 }
 
 // Simulations whose fixes are others than when their last run was prepared. With `pre no` LIGGGHTS
@@ -185,8 +187,9 @@ void check_run(LAMMPS *lmp, int narg, char **arg)
   if (lmp->update->first_update == 0 || with_other_fixes().count(lmp) == 0) return;
   for (int k = 1; k + 1 < narg && !is(arg[k], "every"); k++)
     if (is(arg[k], "pre") && is(arg[k + 1], "no"))
-      rod_error_all(lmp, "Command run: pre no cannot be used after fix, unfix or uncompute, it goes on "
-                         "with the fixes of the run before (expected run without pre no)");
+      rod_error_all(lmp,
+                    "Command run: pre no cannot be used after fix, unfix or uncompute, it goes on "
+                    "with the fixes of the run before (expected run without pre no)");
 }
 
 void say_if_rods_cannot_touch(LAMMPS *lmp)
@@ -207,8 +210,9 @@ void check_dump_format(LAMMPS *lmp, Dump &dump)
   for (std::string word; stream >> word;) words++;
   const int columns = dump.*member(DumpColumns());
   if (words < columns)
-    rod_error_all(lmp, "Dump %s (id %s): the format of dump_modify must have a word for each of the %d "
-                       "columns (got %d)",
+    rod_error_all(lmp,
+                  "Dump %s (id %s): the format of dump_modify must have a word for each of the %d "
+                  "columns (got %d)",
                   dump.style, dump.id, columns, words);
 }
 
@@ -218,8 +222,9 @@ void check_there_is_a_rod(LAMMPS *lmp)
   if (lmp->atom->natoms > 0) return;
   for (int i = 0; i < lmp->modify->nfix; i++)
     if (strncmp(lmp->modify->fix[i]->style, "particletemplate/", 17) == 0) return;
-  rod_error_all(lmp, "Atom style spherocylinder: there is no rod and no fix particletemplate/spherocylinder "
-                     "to make one; wanted rods from read_data, create_atoms or an insertion");
+  rod_error_all(
+      lmp, "Atom style spherocylinder: there is no rod and no fix particletemplate/spherocylinder "
+           "to make one; wanted rods from read_data, create_atoms or an insertion");
 }
 
 }  // namespace
@@ -250,8 +255,10 @@ void check_styles_at_run_start(LAMMPS *lmp)
   check_contact_styles_know_rods(lmp);  // before the pair style looks at stored histories
   if (lmp->update->whichflag == 1) {
     if (!(lmp->update->dt > 0.0))
-      rod_error_all(lmp, "Command timestep with atom_style spherocylinder: the time step must be > 0 (got %g)",
-                    lmp->update->dt);
+      rod_error_all(
+          lmp,
+          "Command timestep with atom_style spherocylinder: the time step must be > 0 (got %g)",
+          lmp->update->dt);
     check_there_is_a_rod(lmp);
     say_if_rods_cannot_touch(lmp);
   }

@@ -70,9 +70,11 @@ std::vector<HostStyle> compute_rows()
       different("pe/atom", "granular contacts have no potential energy: 0"),
       different("pressure", "the contacts' forces times the distance of centres; ke: the centres' "
                             "motion"),
-      different("property/atom", "also axis (ux uy uz), quaternion and length; diameter and volume are "
-                                 "the rod's own; radius is the bounding radius, half its length"),
-      refused("property/local", "granular pair styles do not serve it; use compute pair/gran/local"),
+      different("property/atom",
+                "also axis (ux uy uz), quaternion and length; diameter and volume are "
+                "the rod's own; radius is the bounding radius, half its length"),
+      refused("property/local",
+              "granular pair styles do not serve it; use compute pair/gran/local"),
       refused("property/molecule", kMolecules),
       different("rdf", kCentres),
       right("reduce"),
@@ -80,8 +82,9 @@ std::vector<HostStyle> compute_rows()
       refused("reduce/sph", "it is for smoothed-particle fluids; use compute reduce"),
       refused("rigid", kMultisphere),
       right("slice"),
-      different("stress/atom", "half of each contact's force times the distance of centres; ke: the "
-                               "centre's motion"),
+      different("stress/atom",
+                "half of each contact's force times the distance of centres; ke: the "
+                "centre's motion"),
       different("temp", "of the centres' motion"),
       right("wall/gran/local", "contact points and overlaps of rods' ends: see its page"),
   };

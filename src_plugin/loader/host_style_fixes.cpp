@@ -20,15 +20,13 @@ constexpr HostStyle refused(const char *name, const char *sentence)
   return {HostKind::Fix, name, Verdict::Refused, sentence};
 }
 
-constexpr const char *kNoTurn =
-    "it does not turn the rods' axes; use fix nve/spherocylinder";
+constexpr const char *kNoTurn = "it does not turn the rods' axes; use fix nve/spherocylinder";
 constexpr const char *kCoupling =
     "it hands over the bounding sphere's radius as the particle's, not one of equal volume; use "
     "fix buoyancy and fix viscous for a still fluid";
 constexpr const char *kSph =
     "it is for smoothed-particle fluids and has no meaning for rods; leave it out";
-constexpr const char *kMultisphere =
-    "it joins spheres to bodies; use rods of the wanted length";
+constexpr const char *kMultisphere = "it joins spheres to bodies; use rods of the wanted length";
 constexpr const char *kTemplate =
     "it makes spheres; use fix particletemplate/spherocylinder (a sphere is a rod with length = "
     "diameter)";
@@ -78,13 +76,15 @@ std::vector<HostStyle> fix_rows()
       refused("couple/cfd/speciesConvection", kCoupling),
       refused("couple/lb/onetoone", kCoupling),
       right("custom_property/global"),
-      different("deform", "the rods' centres move with the box, their axes and sizes do not change; "
-                          "no tilt (xy, xz, yz)"),
+      different("deform",
+                "the rods' centres move with the box, their axes and sizes do not change; "
+                "no tilt (xy, xz, yz)"),
       different("deform/check", "as fix deform"),
       right("diam/max", "the longest rod of the particle distributions"),
       right("drag", kCentre),
-      refused("dt/reset", "it looks at the speed of a rod's centre and not of its ends; use a fixed "
-                          "timestep and fix check/timestep/spherocylinder"),
+      refused("dt/reset",
+              "it looks at the speed of a rod's centre and not of its ends; use a fixed "
+              "timestep and fix check/timestep/spherocylinder"),
       refused("efield", "atom_style spherocylinder has no charge; use fix addforce"),
       refused("enforce2d", "a rod in a plane would need its axis kept there; use dimension 3"),
       right("external", kCentre),
@@ -98,16 +98,19 @@ std::vector<HostStyle> fix_rows()
       right("insert/rate/region", "with fix particletemplate/spherocylinder"),
       right("insert/stream", "with fix particletemplate/spherocylinder"),
       right("lineforce", "of the centre's force"),
-      different("massflow/mesh", "a rod counts when its centre passes; the diameter in its file is the "
-                                 "rod's length"),
+      different("massflow/mesh",
+                "a rod counts when its centre passes; the diameter in its file is the "
+                "rod's length"),
       refused("massflow/mesh/sieve",
               "it decides by the bounding sphere's diameter what passes; use fix massflow/mesh"),
       right("mesh/surface", "as a face for insertion or counting; as a wall see wall/gran"),
       right("mesh/surface/planar", "as a face for insertion or counting"),
-      different("momentum", "linear: right; angular: that of the centres' motion only, the rods' own "
-                            "spin is left as it is, as with spheres"),
-      right("move", "axes turn with the motion; a rod that is driven in all directions does not give "
-                    "way"),
+      different("momentum",
+                "linear: right; angular: that of the centres' motion only, the rods' own "
+                "spin is left as it is, as with spheres"),
+      right("move",
+            "axes turn with the motion; a rod that is driven in all directions does not give "
+            "way"),
       right("move/mesh"),
       right("move/mesh/file"),
       right("move/mesh/gran"),
@@ -143,8 +146,9 @@ std::vector<HostStyle> fix_rows()
       right("property/atomtypepair"),
       right("property/global"),
       right("region/variable"),
-      refused("rigid", "it carries the rods' centres round and does not turn their axes; use fix move for "
-                       "driven bodies, rods of the wanted length for free ones"),
+      refused("rigid",
+              "it carries the rods' centres round and does not turn their axes; use fix move for "
+              "driven bodies, rods of the wanted length for free ones"),
       right("setforce", "of the centre's force; torques stay"),
       refused("sph/density/continuity", kSph),
       refused("sph/density/corr", kSph),

@@ -59,8 +59,9 @@ void add_scene(std::vector<HostStyle> &rows)
        {"full", kRight, kNoRods},
        {"granular", kRight, kNoRods},
        {"granular_superquadric", kRight, "not in Debian's library"},
-       {"hybrid", kRefused, "rods cannot be part of another style; use atom_style spherocylinder alone (a "
-                            "sphere is a rod with length = diameter)"},
+       {"hybrid", kRefused,
+        "rods cannot be part of another style; use atom_style spherocylinder alone (a "
+        "sphere is a rod with length = diameter)"},
        {"line", kRight, kNoRods},
        {"molecular", kRight, kNoRods},
        {"sph", kRight, kNoRods},
@@ -82,16 +83,19 @@ void add_scene(std::vector<HostStyle> &rows)
        {"boundary m", kRight, "shrinks on the rods' centres, not their ends"},
        {"boundary p", kRight, "longer than the longest rod"},
        {"boundary s", kRight, "shrinks on the rods' centres, not their ends"},
-       {"dimension 2", kRefused, "a rod in a plane would need its axis kept there; use dimension 3"},
+       {"dimension 2", kRefused,
+        "a rod in a plane would need its axis kept there; use dimension 3"},
        {"orthogonal", kRight, ""},
-       {"triclinic", kRefused, "contacts across its tilted faces would be missed; use an orthogonal "
-                               "box"}});
+       {"triclinic", kRefused,
+        "contacts across its tilted faces would be missed; use an orthogonal "
+        "box"}});
   add(rows, HostKind::Integrate,
       {{"respa", kRefused, "rods are integrated with one time step; use run_style verlet"},
        {"verlet", kRight, ""}});
   add(rows, HostKind::Minimize,
-      {{"cg", kRefused, "rods have no energy minimiser; let them settle with fix "
-                        "nve/spherocylinder"}});
+      {{"cg", kRefused,
+        "rods have no energy minimiser; let them settle with fix "
+        "nve/spherocylinder"}});
   add(rows, HostKind::Molecular,
       {{"angle hybrid", kRefused, kNoBonds},
        {"bond harmonic", kRefused, kNoBonds},
@@ -105,15 +109,19 @@ void add_places_and_files(std::vector<HostStyle> &rows)
 {
   add(rows, HostKind::Dump,
       {{"atom/vtk", kRefused, kDrawsSpheres},
-       {"custom", kDifferent, "columns for rods: see atom_style spherocylinder; diameter is the rod's own, "
-                              "radius the bounding radius, half its length"},
-       {"custom/vtk", kDifferent, "a rod is a point; write shapex, shapez and quat1 to quat4 to draw it, "
-                                  "or use rod_vtk; its diameter is the rod's length"},
-       {"custom/vtm", kDifferent, "a rod is a point; write shapex, shapez and quat1 to quat4 to draw it, "
-                                  "or use rod_vtk; its diameter is the rod's length"},
+       {"custom", kDifferent,
+        "columns for rods: see atom_style spherocylinder; diameter is the rod's own, "
+        "radius the bounding radius, half its length"},
+       {"custom/vtk", kDifferent,
+        "a rod is a point; write shapex, shapez and quat1 to quat4 to draw it, "
+        "or use rod_vtk; its diameter is the rod's length"},
+       {"custom/vtm", kDifferent,
+        "a rod is a point; write shapex, shapez and quat1 to quat4 to draw it, "
+        "or use rod_vtk; its diameter is the rod's length"},
        {"decomposition/vtk", kRight, ""},
-       {"euler/vtk", kRefused, "it needs fix ave/euler, which takes a rod's volume for its bounding "
-                               "sphere's; use fix ave/spatial"},
+       {"euler/vtk", kRefused,
+        "it needs fix ave/euler, which takes a rod's volume for its bounding "
+        "sphere's; use fix ave/spatial"},
        {"image", kRefused, kDrawsSpheres},
        {"local", kRight, ""},
        {"local/gran/vtk", kRight, "of compute pair/gran/local"},
@@ -131,22 +139,27 @@ void add_places_and_files(std::vector<HostStyle> &rows)
        {"intersect", kRight, kCentre},
        {"mesh/tet", kRight, kCentre},
        {"plane", kRight, kCentre},
-       {"prism", kDifferent, "a rod is in it if its centre is; create_box with it makes a triclinic "
-                             "box, which is refused"},
+       {"prism", kDifferent,
+        "a rod is in it if its centre is; create_box with it makes a triclinic "
+        "box, which is refused"},
        {"sphere", kRight, kCentre},
        {"union", kRight, kCentre},
        {"wedge", kRight, kCentre}});
   add(rows, HostKind::Reader,
-      {{"native", kRefused, "read_dump moves the centres and not the axes; use read_restart or "
-                            "read_data"},
+      {{"native", kRefused,
+        "read_dump moves the centres and not the axes; use read_restart or "
+        "read_data"},
        {"xyz", kRefused, "it has no axes; use read_restart or read_data"}});
   add(rows, HostKind::Insertion,
-      {{"all_in", kDifferent, "yes: the bounding sphere in the region; for the rod itself use the "
-                              "template's all_in_region"},
-       {"check_dist_from_subdomain_border", kDifferent, "no: on one processor without periodic "
-                                                        "boundaries only"},
-       {"compress_tags", kRefused, "it gives rods new ids that contact histories do not know; leave "
-                                   "it out"},
+      {{"all_in", kDifferent,
+        "yes: the bounding sphere in the region; for the rod itself use the "
+        "template's all_in_region"},
+       {"check_dist_from_subdomain_border", kDifferent,
+        "no: on one processor without periodic "
+        "boundaries only"},
+       {"compress_tags", kRefused,
+        "it gives rods new ids that contact histories do not know; leave "
+        "it out"},
        {"distributiontemplate", kRight, ""},
        {"duration", kRight, ""},
        {"duration_time", kRight, ""},
@@ -210,16 +223,20 @@ void add_contacts(std::vector<HostStyle> &rows)
        {"washino/capillary/viscous", kRefused, kCapillary}});
   add(rows, HostKind::Rolling,
       {{"cdt", kRight, kVirtualSpheres},
-       {"epsd", kDifferent, "its damping takes the inertia of a sphere of the rod's mass and radius"},
-       {"epsd2", kDifferent, "its stiffness takes the inertia of a sphere of the rod's mass and "
-                             "radius"},
-       {"epsd3", kDifferent, "its damping takes the inertia of a sphere of the rod's mass and "
-                             "radius"},
+       {"epsd", kDifferent,
+        "its damping takes the inertia of a sphere of the rod's mass and radius"},
+       {"epsd2", kDifferent,
+        "its stiffness takes the inertia of a sphere of the rod's mass and "
+        "radius"},
+       {"epsd3", kDifferent,
+        "its damping takes the inertia of a sphere of the rod's mass and "
+        "radius"},
        {"luding", kRight, kVirtualSpheres}});
   add(rows, HostKind::MeshModule,
       {{"liquidtransfer", kRefused, "its liquid is spread over spheres; leave it out"},
        {"servo", kRefused, "it needs fix wall/gran mesh, which does not know rods; leave it out"},
-       {"stress", kRefused, "it needs fix wall/gran mesh, which does not know rods; leave it out"}});
+       {"stress", kRefused,
+        "it needs fix wall/gran mesh, which does not know rods; leave it out"}});
   add(rows, HostKind::MeshMover,
       {{"linear", kRight, kMoves},
        {"linear/variable", kRight, kMoves},

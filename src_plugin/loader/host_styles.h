@@ -35,9 +35,9 @@ enum class HostKind {
 };
 
 enum class Verdict {
-  Right,     // what it does with a rod is what its manual page says of a particle
+  Right,      // what it does with a rod is what its manual page says of a particle
   Different,  // works, but not as with spheres; the sentence says how
-  Refused    // ends with an error; the sentence says why and what to use instead
+  Refused     // ends with an error; the sentence says why and what to use instead
 };
 
 struct HostStyle {

@@ -81,8 +81,8 @@ std::string section_text(const Section &section)
                      "|---|---|---|\n";
   for (const HostStyle &row : host_styles())
     if (row.kind == section.kind)
-      text += std::string("| `") + row.name + "` | " + word_for(row.verdict) + " | " + row.sentence +
-              " |\n";
+      text += std::string("| `") + row.name + "` | " + word_for(row.verdict) + " | " +
+              row.sentence + " |\n";
   return text;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // lmp: LIGGGHTS from Debian's library with this plug-in loaded before it.
-#include <mpi.h>
-
 #include <csignal>
 #include <cstring>
+
+#include <mpi.h>
 
 #include "input.h"
 #include "lammps.h"

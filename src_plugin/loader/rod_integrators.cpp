@@ -8,9 +8,9 @@
 #include "atom.h"
 #include "fix.h"
 #include "group.h"
+#include "host/rod_error.h"
 #include "lammps.h"
 #include "modify.h"
-#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -81,17 +81,17 @@ int LAMMPS_NS::check_each_rod_is_integrated_once(LAMMPS *lmp)
     if (freezes_rods(fix)) groups |= fix->groupbit;
     if (!fix->time_integrate) continue;
     if (!turns_rods(fix))
-      rod_error_all(lmp,
-                    "Fix %s (id %s) does not turn the axes of rods (expected fix "
-                    "nve/spherocylinder, fix move for driven rods or fix freeze for rods that stay)",
-                    fix->style, fix->id);
+      rod_error_all(
+          lmp,
+          "Fix %s (id %s) does not turn the axes of rods (expected fix "
+          "nve/spherocylinder, fix move for driven rods or fix freeze for rods that stay)",
+          fix->style, fix->id);
     check_against_earlier(lmp, i);
     groups |= fix->groupbit;
   }
   if (!groups)
-    rod_error_all(lmp,
-                  "Atom style spherocylinder: no integrator is defined, rods would not move "
-                  "(expected fix ID group nve/spherocylinder)");
+    rod_error_all(lmp, "Atom style spherocylinder: no integrator is defined, rods would not move "
+                       "(expected fix ID group nve/spherocylinder)");
 
   bigint local = 0, still = 0;
   const int mine = first_still(lmp, groups, local);
@@ -114,9 +114,10 @@ void LAMMPS_NS::check_new_rods_are_integrated(LAMMPS *lmp, int groups)
   bigint count = 0;
   const int first = first_still(lmp, groups, count);
   if (count > 0)
-    rod_error_one(lmp,
-                  "Atom style spherocylinder: at step " BIGINT_FORMAT
-                  " rod %d has come into the run and is in no integrator's group (expected fix "
-                  "nve/spherocylinder, fix move or fix freeze for a group that it is inserted into)",
-                  lmp->update->ntimestep, first);
+    rod_error_one(
+        lmp,
+        "Atom style spherocylinder: at step " BIGINT_FORMAT
+        " rod %d has come into the run and is in no integrator's group (expected fix "
+        "nve/spherocylinder, fix move or fix freeze for a group that it is inserted into)",
+        lmp->update->ntimestep, first);
 }

@@ -57,18 +57,20 @@ void check_rods_are_whole(LAMMPS *lmp, AtomVecSpherocylinder &rods)
   for (int i = 0; i < atom->nlocal; i++) {
     const double *shape = atom->shape[i];
     if (shape[0] == 0.0 || shape[2] == 0.0)
-      rod_error_one(lmp,
-                    "Atom style spherocylinder: rod %d, made by create_atoms, has no %s; give it by "
-                    "set ... diameter D length L density RHO",
-                    atom->tag[i], shape[0] == 0.0 ? "diameter" : "length");
+      rod_error_one(
+          lmp,
+          "Atom style spherocylinder: rod %d, made by create_atoms, has no %s; give it by "
+          "set ... diameter D length L density RHO",
+          atom->tag[i], shape[0] == 0.0 ? "diameter" : "length");
     const spherocylinder::MassProperties wanted =
         spherocylinder::mass_properties(2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
     if (atom->radius[i] != shape[2] || differs(atom->volume[i], wanted.volume))
-      rod_error_one(lmp,
-                    "Atom style spherocylinder: the radius or volume of rod %d (length %g, diameter "
-                    "%g) was changed by itself; the size of a rod is changed by set ... diameter D "
-                    "length L",
-                    atom->tag[i], 2.0 * shape[2], 2.0 * shape[0]);
+      rod_error_one(
+          lmp,
+          "Atom style spherocylinder: the radius or volume of rod %d (length %g, diameter "
+          "%g) was changed by itself; the size of a rod is changed by set ... diameter D "
+          "length L",
+          atom->tag[i], 2.0 * shape[2], 2.0 * shape[0]);
     if (differs(atom->inertia[i][0], wanted.inertia_transverse))
       rods.set_rod(i, 2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
     else if (differs(atom->rmass[i], wanted.mass))
@@ -86,8 +88,7 @@ bool check_rods_fit_periodic_box(LAMMPS *lmp, bool warn)
 {
   const Domain *domain = lmp->domain;
   double local = 0.0, longest = 0.0;
-  for (int i = 0; i < lmp->atom->nlocal; i++)
-    local = std::max(local, 2.0 * lmp->atom->radius[i]);
+  for (int i = 0; i < lmp->atom->nlocal; i++) local = std::max(local, 2.0 * lmp->atom->radius[i]);
   for (int i = 0; i < lmp->modify->nfix; i++)
     if (lmp->modify->fix[i]->use_rad_for_cut_neigh_and_ghost())
       for (int type = 1; type <= lmp->atom->ntypes; type++)
@@ -100,10 +101,11 @@ bool check_rods_fit_periodic_box(LAMMPS *lmp, bool warn)
   for (int d = 0; d < 3; d++) {
     if (!periodic[d]) continue;
     if (period[d] <= longest)
-      rod_error_all(lmp,
-                    "Atom style spherocylinder: the box is periodic in %c with %g, wanted more than "
-                    "the longest rod's length %g (it would touch its own image)",
-                    'x' + d, period[d], longest);
+      rod_error_all(
+          lmp,
+          "Atom style spherocylinder: the box is periodic in %c with %g, wanted more than "
+          "the longest rod's length %g (it would touch its own image)",
+          'x' + d, period[d], longest);
     if (period[d] > 2.0 * longest) continue;
     twice = true;
     if (warn && lmp->comm->me == 0)
@@ -131,7 +133,8 @@ void check_pairs_touch_once(LAMMPS *lmp)
   twice = found_by_any(lmp, twice);
   if (twice[0])
     rod_error_all(lmp,
-                  "Atom style spherocylinder: at step " BIGINT_FORMAT " rods %d and %d touch through "
+                  "Atom style spherocylinder: at step " BIGINT_FORMAT
+                  " rods %d and %d touch through "
                   "two periodic images, whose contact histories cannot be told apart; wanted a "
                   "periodic box longer than two rods",
                   lmp->update->ntimestep, twice[0], twice[1]);
@@ -176,9 +179,8 @@ void LAMMPS_NS::check_contact_styles_know_rods(LAMMPS *lmp)
                     "gran with surface spherocylinder",
                     lmp->force->pair_style);
     if (!pair->contact_match("surface", "spherocylinder"))
-      rod_error_all(lmp,
-                    "Atom style spherocylinder: pair_style gran must be given surface "
-                    "spherocylinder (without it rods would touch as their bounding spheres)");
+      rod_error_all(lmp, "Atom style spherocylinder: pair_style gran must be given surface "
+                         "spherocylinder (without it rods would touch as their bounding spheres)");
   }
   for (int i = 0; i < lmp->modify->nfix; i++) {
     Fix *fix = lmp->modify->fix[i];

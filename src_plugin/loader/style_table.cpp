@@ -7,22 +7,22 @@
 #include <string>
 
 #include "atom.h"
+#include "contacts/contact_styles.h"
 #include "delete_atoms.h"
+#include "host/member_access.h"
 #include "input.h"
 #include "lammps.h"
+#include "loader/run_checks.h"
 #include "modify.h"
 #include "read_data.h"
 #include "replicate.h"
-#include "set.h"
-#include "host/member_access.h"
-#include "loader/run_checks.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "set.h"
 #include "styles/balance.h"
 #include "styles/compute_contact_spherocylinder.h"
 #include "styles/compute_erotate_spherocylinder.h"
 #include "styles/compute_gran_local_spherocylinder.h"
 #include "styles/compute_property_atom_spherocylinder.h"
-#include "contacts/contact_styles.h"
 #include "styles/delete_atoms_spherocylinder.h"
 #include "styles/displace_rods.h"
 #include "styles/fix_balance.h"
@@ -185,11 +185,11 @@ void add_styles(LAMMPS *lmp)
 AtomVec *create_atom_style(const char *name, LAMMPS *lmp)
 {
 #define ATOM_CLASS
-#define AtomStyle(key, Class)             \
-  if (strcmp(name, #key) == 0) {          \
-    auto *rods = new Class(lmp);          \
+#define AtomStyle(key, Class)                      \
+  if (strcmp(name, #key) == 0) {                   \
+    auto *rods = new Class(lmp);                   \
     rods->watch(std::make_unique<RunChecks>(lmp)); \
-    return rods;                          \
+    return rods;                                   \
   }
 #include "rods/atom_vec_spherocylinder.h"
 #undef AtomStyle

@@ -4,7 +4,7 @@
 namespace LAMMPS_NS {
 class AtomVec;
 class LAMMPS;
-}
+}  // namespace LAMMPS_NS
 
 namespace spherocylinder {
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "parallel/far_rods.h"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <cstdlib>
+
+#include <mpi.h>
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "host/rod_error.h"
 #include "irregular.h"
 #include "lammps.h"
-#include "host/rod_error.h"
 
 using namespace LAMMPS_NS;
 
@@ -62,9 +62,10 @@ void LAMMPS_NS::hand_over_far_rods(LAMMPS *lmp)
   MPI_Allreduce(mine, most, 2, MPI_INT, MPI_MAX, lmp->world);
   if (!most[0]) return;
   if (most[1] > kRoomForContacts)
-    rod_error_all(lmp,
-                  "Atom style spherocylinder: a rod would go past the next rank while rods have up to "
-                  "%d numbers in their contact histories, wanted at most %d; use fewer processors",
-                  most[1], kRoomForContacts);
+    rod_error_all(
+        lmp,
+        "Atom style spherocylinder: a rod would go past the next rank while rods have up to "
+        "%d numbers in their contact histories, wanted at most %d; use fewer processors",
+        most[1], kRoomForContacts);
   Irregular(lmp).migrate_atoms();
 }

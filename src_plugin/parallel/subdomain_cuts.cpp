@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "parallel/subdomain_cuts.h"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <cstring>
 #include <sstream>
 
+#include <mpi.h>
+
 #include "atom.h"
 #include "comm.h"
-#include "host/deck_numbers.h"
 #include "domain.h"
 #include "force.h"
-#include "neighbor.h"
+#include "host/deck_numbers.h"
 #include "host/rod_error.h"
+#include "neighbor.h"
 
 using namespace LAMMPS_NS;
 
@@ -60,8 +60,7 @@ SubdomainCuts::SubdomainCuts(LAMMPS *lmp, const std::string &who, int narg, char
     rod_error_all(lmp, "%s: expected thresh shift dimstr Niter stopthresh", begin);
 
   threshold_ = deck_number(lmp_, who_, "thresh", arg[0]);
-  if (!(threshold_ >= 1.0))
-    rod_error_all(lmp, "%s: thresh must be >= 1 (got %s)", begin, arg[0]);
+  if (!(threshold_ >= 1.0)) rod_error_all(lmp, "%s: thresh must be >= 1 (got %s)", begin, arg[0]);
   if (strcmp(arg[1], "shift") != 0)
     rod_error_all(lmp, "%s: unknown style %s (expected shift)", begin, arg[1]);
   const std::string dimensions = arg[2];
@@ -133,7 +132,8 @@ std::vector<double> SubdomainCuts::equal_cuts(int dimension,
     for (size_t c = 0; c < n; c++) cuts[c] = 0.5 * (below[c] + above[c]);
     const std::vector<bigint> counts = count_below(places, cuts, lmp_->world);
     for (size_t c = 0; c < n; c++) {
-      const bool too_low = counts[c] * static_cast<bigint>(n + 1) < all * static_cast<bigint>(c + 1);
+      const bool too_low =
+          counts[c] * static_cast<bigint>(n + 1) < all * static_cast<bigint>(c + 1);
       (too_low ? below : above)[c] = cuts[c];
     }
     const double found = slab_imbalance(counts, all);

@@ -169,8 +169,9 @@ void AtomVecSpherocylinder::grow(int n)
   for (const RodField &field : rod_fields()) {
     const int rows = field.travel & kReverse ? nmax * comm->nthreads : nmax;
     const std::string name = std::string("atom:") + field.name;
-    std::visit([&](auto array) { grow_array(*memory, atom->*array, rows, field.width, name.c_str()); },
-               field.array);
+    std::visit(
+        [&](auto array) { grow_array(*memory, atom->*array, rows, field.width, name.c_str()); },
+        field.array);
   }
   grow_reset();
 
@@ -227,8 +228,7 @@ void AtomVecSpherocylinder::clear_bonus()
    the rod itself
 ------------------------------------------------------------------------- */
 
-void AtomVecSpherocylinder::set_rod(int i, double diameter, double total_length,
-                                    double rod_density)
+void AtomVecSpherocylinder::set_rod(int i, double diameter, double total_length, double rod_density)
 {
   const bool is_whole = diameter > 0.0 && total_length > 0.0;
   const sc::MassProperties properties =
@@ -401,8 +401,7 @@ int AtomVecSpherocylinder::size_restart()
   const int nlocal = atom->nlocal;
   int n = (1 + rod_field_size(kWhole)) * nlocal;
   for (int iextra = 0; iextra < atom->nextra_restart; iextra++)
-    for (int i = 0; i < nlocal; i++)
-      n += modify->fix[atom->extra_restart[iextra]]->size_restart(i);
+    for (int i = 0; i < nlocal; i++) n += modify->fix[atom->extra_restart[iextra]]->size_restart(i);
   return n;
 }
 
@@ -473,7 +472,8 @@ void AtomVecSpherocylinder::data_vel(int m, char **values)
     atom->omega[m][d] = atof(values[3 + d]);
   }
   const sc::Vec3 axis = sc::axis_of(sc::load_quaternion(quaternion[m]));
-  sc::store(sc::angular_momentum(sc::load(atom->omega[m]), axis, atom->inertia[m][2], atom->inertia[m][0]),
+  sc::store(sc::angular_momentum(sc::load(atom->omega[m]), axis, atom->inertia[m][2],
+                                 atom->inertia[m][0]),
             atom->angmom[m]);
 }
 

@@ -95,7 +95,8 @@ class AtomVecSpherocylinder : public AtomVec {
   Attachments attachments_;
   std::unique_ptr<RodWatcher> watcher_;
 
-  int pack(unsigned travel, int n, const int *list, double *buf, int pbc_flag, const int *pbc) const;
+  int pack(unsigned travel, int n, const int *list, double *buf, int pbc_flag,
+           const int *pbc) const;
   const double *unpack(unsigned travel, int n, int first, const double *buf);
   int pack_border_of_fixes(int n, int *list, double *buf);
   void unpack_ghosts(unsigned travel, int n, int first, double *buf);

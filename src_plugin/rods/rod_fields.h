@@ -17,10 +17,10 @@ enum Travel : unsigned {
   kReverse = 4,          // from ghosts to their owners, added
   kBorder = 8,           // to new ghosts
   kBorderVelocity = 16,
-  kWhole = 32,           // with the rod to another rank and to a restart file
+  kWhole = 32,  // with the rod to another rank and to a restart file
 
   // Of these, what a ghost's gain across a periodic boundary:
-  kGainsPeriod = 64,    // the period
+  kGainsPeriod = 64,     // the period
   kGainsBoxSpeed = 128,  // the speed at which a box that shears parts from its image
   kStays = 256,          // follows from the others, or is a constant
 };
@@ -32,9 +32,9 @@ struct RodField {
 
   const char *name;
   std::variant<WholeNumbers, Numbers, Rows> array;
-  int width;        // of a row
-  unsigned travel;  // Travel
-  int sent = width; // values of a row that travel, its first
+  int width;         // of a row
+  unsigned travel;   // Travel
+  int sent = width;  // values of a row that travel, its first
 };
 
 static_assert(std::is_same_v<tagint, int>, "images are handled as int");

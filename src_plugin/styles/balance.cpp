@@ -5,8 +5,8 @@
 
 #include "comm.h"
 #include "domain.h"
-#include "modify.h"
 #include "host/rod_error.h"
+#include "modify.h"
 #include "parallel/subdomain_cuts.h"
 #include "rods/atom_vec_spherocylinder.h"
 
@@ -19,8 +19,9 @@ void Balance::command(int narg, char **arg)
   if (domain->box_exist == 0)
     rod_error_all(lmp, "Balance command before the simulation box is defined");
   if (modify->fix_restart_in_progress())
-    rod_error_all(lmp, "Balance command between read_restart and the first run would lose the restart's "
-                       "data of fixes that are yet to come (expected run 0 before it)");
+    rod_error_all(lmp,
+                  "Balance command between read_restart and the first run would lose the restart's "
+                  "data of fixes that are yet to come (expected run 0 before it)");
   rods_of(lmp, "Balance command");
   const SubdomainCuts cuts(lmp, "Balance command", narg, arg);
   lmp->init();

@@ -6,16 +6,16 @@
 
 #include "atom.h"
 #include "contacts/contact_state.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "core/closest_points.h"
 #include "error.h"
 #include "force.h"
 #include "group.h"
+#include "host/rod_error.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
 #include "pair.h"
-#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -73,8 +73,7 @@ void ComputeContactSpherocylinder::visit_contacts()
       const Capsule rod_j = rods.capsule(j);
       if (norm_squared(rod_i.segment.centre - rod_j.segment.centre) >= bound * bound) continue;
       const double reach = rod_i.radius + rod_j.radius;
-      const double distance_squared =
-          closest_points(rod_i.segment, rod_j.segment).distance_squared;
+      const double distance_squared = closest_points(rod_i.segment, rod_j.segment).distance_squared;
       if (distance_squared >= reach * reach) continue;
 
       // With newton off a pair across ranks is in both ranks' lists.
@@ -103,7 +102,8 @@ void ComputeContactSpherocylinder::compute_vector()
   visit_contacts();
   const double local[2] = {pairs_, overlap_sum_};
   const double local_peaks[2] = {
-      largest_overlap_, rods_of(lmp, "Compute contact/spherocylinder").attached<ContactState>().largest_overlap};
+      largest_overlap_,
+      rods_of(lmp, "Compute contact/spherocylinder").attached<ContactState>().largest_overlap};
   double total[2], peaks[2];
   MPI_Allreduce(local, total, 2, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(local_peaks, peaks, 2, MPI_DOUBLE, MPI_MAX, world);

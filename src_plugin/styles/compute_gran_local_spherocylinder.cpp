@@ -9,9 +9,9 @@
 #include "domain.h"
 #include "fix_wall_gran.h"
 #include "force.h"
+#include "host/rod_error.h"
 #include "memory.h"
 #include "modify.h"
-#include "host/rod_error.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -189,17 +189,17 @@ void ComputeGranLocalSpherocylinder::add_pair_contact(const ContactRow &contact)
   // Remapping moves a rod by a period, which is longer than any rod, or not at all.
   const Vec3 moved = load(x_j) - load(x_i) - (load(atom->x[j]) - load(atom->x[i]));
   const bool across = norm(moved) > atom->radius[i];
-  add_row({{load(x_i), load(x_j)},
-           {load(atom->v[i]), load(atom->v[j])},
-           {static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]),
-            across ? 1.0 : 0.0},
-           contact.force,
-           contact.torque,
-           contact.normal,
-           contact.point,
-           contact.history,
-           circle_area(contact.radius_i, contact.radius_j, contact.distance),
-           contact.overlap});
+  add_row(
+      {{load(x_i), load(x_j)},
+       {load(atom->v[i]), load(atom->v[j])},
+       {static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), across ? 1.0 : 0.0},
+       contact.force,
+       contact.torque,
+       contact.normal,
+       contact.point,
+       contact.history,
+       circle_area(contact.radius_i, contact.radius_j, contact.distance),
+       contact.overlap});
 }
 
 // Walls have no call at the start of a step: rows begin with the first contact of the step. The

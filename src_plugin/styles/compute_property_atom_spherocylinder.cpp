@@ -5,9 +5,9 @@
 #include <cstring>
 
 #include "atom.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "core/rotation.h"
 #include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -39,10 +39,8 @@ constexpr RodColumn kRodColumns[] = {
      [](const Rods &, const Atom &atom, int i) { return atom.shape[i][2] / atom.shape[i][0]; }},
     {"density", [](const Rods &, const Atom &atom, int i) { return atom.density[i]; }},
     {"volume", [](const Rods &, const Atom &atom, int i) { return atom.volume[i]; }},
-    {"eqradius",
-     [](const Rods &, const Atom &atom, int i) {
-       return std::cbrt(atom.volume[i] / (4.0 * M_PI / 3.0));
-     }},
+    {"eqradius", [](const Rods &, const Atom &atom,
+                    int i) { return std::cbrt(atom.volume[i] / (4.0 * M_PI / 3.0)); }},
     {"inertiax", [](const Rods &, const Atom &atom, int i) { return atom.inertia[i][0]; }},
     {"inertiay", [](const Rods &, const Atom &atom, int i) { return atom.inertia[i][1]; }},
     {"inertiaz", [](const Rods &, const Atom &atom, int i) { return atom.inertia[i][2]; }}};
@@ -103,11 +101,10 @@ void ComputePropertyAtomSpherocylinder::compute_peratom()
     const Column &column = columns_[k];
     for (int i = 0; i < atom->nlocal; i++) {
       const bool is_member = atom->mask[i] & groupbit;
-      rows_[i][k] = !is_member ? 0.0
-                    : column.rod_value
-                        ? column.rod_value(rods_, *atom, i)
-                        : stock_columns_ == 1 ? stock_->vector_atom[i]
-                                              : stock_->array_atom[i][column.stock];
+      rows_[i][k] = !is_member            ? 0.0
+                    : column.rod_value    ? column.rod_value(rods_, *atom, i)
+                    : stock_columns_ == 1 ? stock_->vector_atom[i]
+                                          : stock_->array_atom[i][column.stock];
     }
   }
 }

@@ -247,8 +247,8 @@ class DataFile {
       const double x = number(words[5 + d], name);
       const double lo = surroundings_.lo[d], hi = surroundings_.hi[d];
       if (!surroundings_.periodic[d] && !(x >= lo && x < hi))
-        fail("%s must lie in the box, which is not periodic there, %g <= %s < %g (got %s)", name, lo,
-             name, hi, words[5 + d].c_str());
+        fail("%s must lie in the box, which is not periodic there, %g <= %s < %g (got %s)", name,
+             lo, name, hi, words[5 + d].c_str());
     }
     const double u[3] = {number(words[8], "ux"), number(words[9], "uy"), number(words[10], "uz")};
     const double axis_length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);

@@ -8,13 +8,13 @@
 
 #include "atom.h"
 #include "contacts/contact_state.h"
-#include "rods/atom_vec_spherocylinder.h"
-#include "delete_atoms.h"
-#include "styles/fix_contact_history_spherocylinder.h"
-#include "force.h"
-#include "parallel/from_all_ranks.h"
-#include "pair_gran.h"
 #include "contacts/sudden_overlaps.h"
+#include "delete_atoms.h"
+#include "force.h"
+#include "pair_gran.h"
+#include "parallel/from_all_ranks.h"
+#include "rods/atom_vec_spherocylinder.h"
+#include "styles/fix_contact_history_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 
@@ -55,7 +55,8 @@ void DeleteAtomsSpherocylinder::command(int narg, char **arg)
 {
   std::vector<char *> args(arg, arg + narg);
   char compress[] = "compress", no[] = "no";
-  const int least = narg > 0 && (strcmp(arg[0], "group") == 0 || strcmp(arg[0], "region") == 0) ? 2 : 4;
+  const int least =
+      narg > 0 && (strcmp(arg[0], "group") == 0 || strcmp(arg[0], "region") == 0) ? 2 : 4;
   if (narg >= least) {  // else the sentence is LIGGGHTS's
     args.push_back(compress);
     args.push_back(no);
@@ -73,8 +74,8 @@ void DeleteAtomsSpherocylinder::command(int narg, char **arg)
   }
 
   auto *pair = dynamic_cast<PairGran *>(force->pair);
-  auto *histories = pair ? dynamic_cast<FixContactHistorySpherocylinder *>(pair->get_fix_history())
-                         : nullptr;
+  auto *histories =
+      pair ? dynamic_cast<FixContactHistorySpherocylinder *>(pair->get_fix_history()) : nullptr;
   const std::vector<IdPair> ids = all_ids(lmp, before);
   const auto new_id = [&ids](int old) {
     const auto found = std::lower_bound(ids.begin(), ids.end(), IdPair(old, 0));

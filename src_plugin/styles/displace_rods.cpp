@@ -11,14 +11,14 @@
 #include "core/rotation.h"
 #include "domain.h"
 #include "fix.h"
-#include "styles/fix_contact_history_spherocylinder.h"
-#include "styles/fix_wall_gran_spherocylinder.h"
 #include "force.h"
-#include "parallel/from_all_ranks.h"
 #include "group.h"
+#include "host/rod_error.h"
 #include "modify.h"
 #include "pair_gran.h"
-#include "host/rod_error.h"
+#include "parallel/from_all_ranks.h"
+#include "styles/fix_contact_history_spherocylinder.h"
+#include "styles/fix_wall_gran_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
@@ -112,8 +112,8 @@ void DisplaceRods::turn_springs(int groupbit, const sc::Quaternion &rotation)
 
   int forgotten[2] = {0, 0};
   auto *pair = dynamic_cast<PairGran *>(force->pair);
-  auto *histories = pair ? dynamic_cast<FixContactHistorySpherocylinder *>(pair->get_fix_history())
-                         : nullptr;
+  auto *histories =
+      pair ? dynamic_cast<FixContactHistorySpherocylinder *>(pair->get_fix_history()) : nullptr;
   if (histories)
     forgotten[0] = histories->turn(
         rotation, [&ids](int id) { return std::binary_search(ids.begin(), ids.end(), id); });
@@ -124,8 +124,9 @@ void DisplaceRods::turn_springs(int groupbit, const sc::Quaternion &rotation)
   int total[2];
   MPI_Allreduce(forgotten, total, 2, MPI_INT, MPI_SUM, world);
   if (total[0] + total[1] > 0 && comm->me == 0)
-    rod_warning(lmp,
-                "Displace_atoms rotate: %d contacts with rods that are not turned and %d of rods with "
-                "walls begin anew, without their friction springs",
-                total[0] / 2, total[1]);
+    rod_warning(
+        lmp,
+        "Displace_atoms rotate: %d contacts with rods that are not turned and %d of rods with "
+        "walls begin anew, without their friction springs",
+        total[0] / 2, total[1]);
 }

@@ -3,8 +3,8 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "host/deck_numbers.h"
 #include "force.h"
+#include "host/deck_numbers.h"
 #include "host/rod_error.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "update.h"

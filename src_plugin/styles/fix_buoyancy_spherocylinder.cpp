@@ -9,8 +9,8 @@
 #include "core/rotation.h"
 #include "fix_gravity.h"
 #include "force.h"
-#include "modify.h"
 #include "host/rod_error.h"
+#include "modify.h"
 #include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;

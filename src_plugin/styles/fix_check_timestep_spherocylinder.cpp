@@ -6,13 +6,13 @@
 #include <cstring>
 
 #include "atom.h"
-#include "contacts/contact_rates.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "comm.h"
+#include "contacts/contact_rates.h"
 #include "core/capsule.h"
-#include "host/deck_numbers.h"
 #include "force.h"
+#include "host/deck_numbers.h"
 #include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -24,11 +24,14 @@ FixCheckTimestepSpherocylinder::FixCheckTimestepSpherocylinder(LAMMPS *lmp, int 
 {
   rods_of(lmp, "Fix check/timestep/spherocylinder");
   if (narg < 5)
-    rod_error_all(lmp, "Fix %s (id %s): expected an interval in steps and a fraction of the stable "
-                  "step", style, id);
+    rod_error_all(lmp,
+                  "Fix %s (id %s): expected an interval in steps and a fraction of the stable "
+                  "step",
+                  style, id);
   nevery = deck_whole_number(lmp, fix_and_id(arg), "the interval", arg[3]);
   if (nevery < 1)
-    rod_error_all(lmp, "Fix %s (id %s): the interval must be >= 1 step (got %s)", style, id, arg[3]);
+    rod_error_all(lmp, "Fix %s (id %s): the interval must be >= 1 step (got %s)", style, id,
+                  arg[3]);
   allowed_fraction_ = deck_number(lmp, fix_and_id(arg), "the fraction", arg[4]);
   if (!(allowed_fraction_ > 0.0 && allowed_fraction_ <= 1.0))
     rod_error_all(lmp, "Fix %s (id %s): the fraction must be > 0 and <= 1 (got %s)", style, id,
@@ -105,8 +108,8 @@ double FixCheckTimestepSpherocylinder::largest_surface_move() const
   double largest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double speed = sc::norm(sc::load(atom->v[i])) +
-                         atom->shape[i][2] * sc::norm(sc::load(atom->omega[i]));
+    const double speed =
+        sc::norm(sc::load(atom->v[i])) + atom->shape[i][2] * sc::norm(sc::load(atom->omega[i]));
     largest = std::max(largest, speed * update->dt / (2.0 * atom->shape[i][0]));
   }
   return largest;

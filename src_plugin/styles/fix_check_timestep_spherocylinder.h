@@ -27,7 +27,7 @@ class FixCheckTimestepSpherocylinder : public Fix {
   double allowed_fraction_;  // of the stable step
   bool warn_ = true;
   bool stop_ = false;
-  bool warned_ = false;  // in this run
+  bool warned_ = false;         // in this run
   double fraction_ = 0.0;       // time step / stable step, 0 without contacts
   double stable_step_ = 0.0;    // s, 0 without contacts
   double most_contacts_ = 0.0;  // of one rod, walls included

@@ -60,5 +60,6 @@ void FixContactHistorySpherocylinder::turn_vectors(double *history,
 void LAMMPS_NS::bring_histories_to_rods(LAMMPS *lmp)
 {
   auto *pair = lmp->force ? dynamic_cast<PairGran *>(lmp->force->pair) : nullptr;
-  if (pair && pair->computeflag() && pair->get_fix_history()) pair->get_fix_history()->pre_exchange();
+  if (pair && pair->computeflag() && pair->get_fix_history())
+    pair->get_fix_history()->pre_exchange();
 }

@@ -5,8 +5,8 @@
 
 using namespace LAMMPS_NS;
 
-FixExternalSpherocylinder::FixExternalSpherocylinder(LAMMPS *lmp, int narg, char **arg) :
-    FixExternal(lmp, narg, arg), rows_(atom->nmax)
+FixExternalSpherocylinder::FixExternalSpherocylinder(LAMMPS *lmp, int narg, char **arg)
+    : FixExternal(lmp, narg, arg), rows_(atom->nmax)
 {
   create_attribute = 1;  // set_arrays is called for rods that come in
   for (int i = 0; i < rows_; i++) set_arrays(i);

@@ -3,8 +3,8 @@
 
 #include "atom.h"
 #include "core/vec3.h"
-#include "rods/rod_driver.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "rods/rod_driver.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "atom.h"
-#include "lists/lists_in_use.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "fix_property_atom.h"
-#include "math_const.h"
 #include "host/rod_error.h"
+#include "lists/lists_in_use.h"
 #include "lists/touching_rod_pairs.h"
+#include "math_const.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 using MathConst::MY_PI;
@@ -109,6 +109,8 @@ void FixHeatGranSpherocylinder::post_force(int)
 
 void FixHeatGranSpherocylinder::cpl_evaluate(ComputePairGranLocal *)
 {
-  rod_error_all(lmp, "Fix %s (id %s): heat of single contacts is not available with rods (use "
-                     "f_heatFlux)", style, id);
+  rod_error_all(lmp,
+                "Fix %s (id %s): heat of single contacts is not available with rods (use "
+                "f_heatFlux)",
+                style, id);
 }

@@ -11,11 +11,11 @@
 #include "comm.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
-#include "host/deck_numbers.h"
 #include "domain.h"
 #include "fix_property_atom.h"
-#include "region.h"
+#include "host/deck_numbers.h"
 #include "host/rod_error.h"
+#include "region.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -89,9 +89,8 @@ double share_near_faces_of(LAMMPS *lmp, Region &region, double bounding_radius)
 {
   const double lo[3] = {region.extent_xlo, region.extent_ylo, region.extent_zlo};
   const double hi[3] = {region.extent_xhi, region.extent_yhi, region.extent_zhi};
-  return share_near_faces_of(lmp, lo, hi, bounding_radius, [&](const double *x) {
-    return region.match(x[0], x[1], x[2]) != 0;
-  });
+  return share_near_faces_of(lmp, lo, hi, bounding_radius,
+                             [&](const double *x) { return region.match(x[0], x[1], x[2]) != 0; });
 }
 
 // Two ranks, or the two sides of a period, do not see each other's new rods.
@@ -119,10 +118,11 @@ InsertionArguments::InsertionArguments(LAMMPS *lmp, int narg, char **arg) : word
       continue;
     }
     if (words_[k] == "compress_tags" && k + 1 < narg && words_[k + 1] == "yes")
-      rod_error_all(lmp,
-                    "Fix %s (id %s): compress_tags yes gives rods new ids that contact histories do "
-                    "not know; leave it out",
-                    arg[2], arg[0]);
+      rod_error_all(
+          lmp,
+          "Fix %s (id %s): compress_tags yes gives rods new ids that contact histories do "
+          "not know; leave it out",
+          arg[2], arg[0]);
     for (const Numbers &wanted : kNumbers) {
       if (words_[k] != wanted.keyword) continue;
       int first = k + 1;

@@ -9,12 +9,12 @@
 #include "atom.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
-#include "host/deck_numbers.h"
-#include "rods/rod_driver.h"
 #include "force.h"
-#include "memory.h"
+#include "host/deck_numbers.h"
 #include "host/rod_error.h"
+#include "memory.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "rods/rod_driver.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -104,9 +104,8 @@ void FixLimitOmega::limit_rod(int i)
   const sc::Vec3 old_angmom = sc::load(atom->angmom[i]);
   const sc::Vec3 new_angmom =
       sc::angular_momentum(new_omega, axis, inertia_axial, inertia_transverse);
-  const double energy =
-      sc::rotational_energy(old_angmom, axis, inertia_axial, inertia_transverse) -
-      sc::rotational_energy(new_angmom, axis, inertia_axial, inertia_transverse);
+  const double energy = sc::rotational_energy(old_angmom, axis, inertia_axial, inertia_transverse) -
+                        sc::rotational_energy(new_angmom, axis, inertia_axial, inertia_transverse);
   energy_removed_ += energy;
   acted_last_ += 1.0;
   of_rod_[i][0] += 1.0;

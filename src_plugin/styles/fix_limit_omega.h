@@ -34,12 +34,12 @@ class FixLimitOmega : public Fix {
  private:
   enum class Component { Total, Transverse, Axial };
   Component component_ = Component::Total;
-  double limit_;                // rad/s
-  int driven_ = 0;              // groups of fix move, which gives the angular velocity itself
-  double actions_ = 0.0;        // rods limited, summed over the steps, this rank
-  double energy_removed_ = 0.0; // J, this rank
-  double acted_last_ = 0.0;     // rods limited in the last step, this rank
-  double **of_rod_ = nullptr;   // of each rod: times limited, energy removed (J)
+  double limit_;                 // rad/s
+  int driven_ = 0;               // groups of fix move, which gives the angular velocity itself
+  double actions_ = 0.0;         // rods limited, summed over the steps, this rank
+  double energy_removed_ = 0.0;  // J, this rank
+  double acted_last_ = 0.0;      // rods limited in the last step, this rank
+  double **of_rod_ = nullptr;    // of each rod: times limited, energy removed (J)
 
   static constexpr int kPerRod = 2;
   void limit_rod(int i);

@@ -10,9 +10,9 @@
 #include "core/mass_properties.h"
 #include "domain.h"
 #include "force.h"
+#include "host/rod_error.h"
 #include "lammps.h"
 #include "modify.h"
-#include "host/rod_error.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
@@ -47,8 +47,8 @@ bool gives_all_directions(char **arg)
   if (strcmp(arg[3], "rotate") == 0) return true;
   const bool is_variable = strcmp(arg[3], "variable") == 0;
   for (int d = 0; d < 3; d++) {
-    const bool is_free = strcmp(arg[4 + d], "NULL") == 0 &&
-                         (!is_variable || strcmp(arg[7 + d], "NULL") == 0);
+    const bool is_free =
+        strcmp(arg[4 + d], "NULL") == 0 && (!is_variable || strcmp(arg[7 + d], "NULL") == 0);
     if (is_free) return false;
   }
   return true;
@@ -112,19 +112,17 @@ void FixMoveSpherocylinder::initial_integrate(int vflag)
     }
     const sc::Vec3 omega = sc::load(atom->omega[i]);
     const double speed = sc::norm(omega);
-    if (speed > 0.0)
-      turn(i, sc::rotation_about((1.0 / speed) * omega, speed * update->dt));
+    if (speed > 0.0) turn(i, sc::rotation_about((1.0 / speed) * omega, speed * update->dt));
   }
   is_first_step_ = false;
 }
 
 void FixMoveSpherocylinder::turn(int i, const sc::Quaternion &rotation)
 {
-  const sc::Quaternion turned =
-      sc::normalized(rotation * sc::load_quaternion(atom->quaternion[i]));
+  const sc::Quaternion turned = sc::normalized(rotation * sc::load_quaternion(atom->quaternion[i]));
   sc::store(turned, atom->quaternion[i]);
-  sc::store(sc::angular_momentum(sc::load(atom->omega[i]), sc::axis_of(turned),
-                                 atom->inertia[i][2], atom->inertia[i][0]),
+  sc::store(sc::angular_momentum(sc::load(atom->omega[i]), sc::axis_of(turned), atom->inertia[i][2],
+                                 atom->inertia[i][0]),
             atom->angmom[i]);
 }
 
@@ -151,10 +149,11 @@ void FixMoveSpherocylinder::check_first_step(int i, const double *before, double
                          : jump > kFirstStepTolerance * diameter + std::sqrt(way_squared) ||
                                swing > kFirstStepTolerance * diameter;
   if (!jumps) return;
-  rod_error_one(lmp,
-                "Fix move (id %s): rod %d would jump by %g in the first step of this run: it is not "
-                "where it was when the fix was defined, plus the motion since (it has joined the "
-                "group later, or set, displace_atoms, timestep or reset_timestep came "
-                "between); unfix and define the fix again",
-                id, atom->tag[i], std::max(is_variable_ ? moved : jump, swing));
+  rod_error_one(
+      lmp,
+      "Fix move (id %s): rod %d would jump by %g in the first step of this run: it is not "
+      "where it was when the fix was defined, plus the motion since (it has joined the "
+      "group later, or set, displace_atoms, timestep or reset_timestep came "
+      "between); unfix and define the fix again",
+      id, atom->tag[i], std::max(is_variable_ ? moved : jump, swing));
 }

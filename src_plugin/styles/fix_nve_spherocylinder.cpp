@@ -18,11 +18,13 @@ FixNVESpherocylinder::FixNVESpherocylinder(LAMMPS *lmp, int narg, char **arg)
 {
   for (int k = 3; k < narg; k += 2) {
     if (strcmp(arg[k], "rotation") != 0)
-      rod_error_all(lmp, "Fix %s (id %s): unknown keyword %s (expected rotation)", style, id, arg[k]);
+      rod_error_all(lmp, "Fix %s (id %s): unknown keyword %s (expected rotation)", style, id,
+                    arg[k]);
     const char *value = k + 1 < narg ? arg[k + 1] : "nothing";
     plain_ = strcmp(value, "plain") == 0;
     if (!plain_ && strcmp(value, "exact") != 0)
-      rod_error_all(lmp, "Fix %s (id %s): rotation must be exact or plain (got %s)", style, id, value);
+      rod_error_all(lmp, "Fix %s (id %s): rotation must be exact or plain (got %s)", style, id,
+                    value);
   }
   rods_of(lmp, "Fix nve/spherocylinder");
   time_integrate = 1;
@@ -115,8 +117,7 @@ void FixNVESpherocylinder::final_integrate()
       },
       [&](int count) {
         sc::angular_velocities(rotations_);
-        for (int k = 0; k < count; k++)
-          sc::store(rotations_.omega.get(k), atom->omega[rods_[k]]);
+        for (int k = 0; k < count; k++) sc::store(rotations_.omega.get(k), atom->omega[rods_[k]]);
       });
 }
 

@@ -10,20 +10,20 @@
 
 #include "comm.h"
 #include "core/mass_properties.h"
-#include "host/deck_numbers.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_insert.h"
-#include "styles/fix_insert_spherocylinder.h"
 #include "fix_particledistribution_discrete.h"
 #include "force.h"
+#include "host/deck_numbers.h"
+#include "host/rod_error.h"
+#include "insertion/particle_to_insert_spherocylinder.h"
 #include "memory.h"
 #include "modify.h"
-#include "insertion/particle_to_insert_spherocylinder.h"
 #include "probability_distribution.h"
 #include "region.h"
-#include "host/rod_error.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "styles/fix_insert_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 using namespace LMP_PROBABILITY_NS;
@@ -56,8 +56,7 @@ class StockArguments {
 
 FixParticletemplateSpherocylinder::FixParticletemplateSpherocylinder(LAMMPS *lmp, int narg,
                                                                      char **arg)
-    : FixTemplateSphere(lmp, StockArguments(narg, arg).count(),
-                        StockArguments(narg, arg).values())
+    : FixTemplateSphere(lmp, StockArguments(narg, arg).count(), StockArguments(narg, arg).values())
 {
   rods_of(lmp, "Fix particletemplate/spherocylinder");
   parse_rod_keywords(narg, arg);
@@ -95,7 +94,8 @@ void FixParticletemplateSpherocylinder::parse_rod_keywords(int narg, char **arg)
       if (i + 2 >= narg)
         rod_error_all(lmp, "Fix %s (id %s): not enough arguments after %s", style, id, arg[i]);
       if (strcmp(arg[i + 1], "constant") != 0)
-        rod_error_all(lmp, "Fix %s (id %s): %s must be constant (got %s); mix sizes by several "
+        rod_error_all(lmp,
+                      "Fix %s (id %s): %s must be constant (got %s); mix sizes by several "
                       "templates in particledistribution/discrete",
                       style, id, arg[i], arg[i + 1]);
       const double value = deck_number(lmp, fix_and_id(arg), arg[i], arg[i + 2]);
@@ -134,8 +134,8 @@ void FixParticletemplateSpherocylinder::check_container_is_large_enough() const
                             container_->extent_yhi - container_->extent_ylo - diameter_,
                             container_->extent_zhi - container_->extent_zlo - diameter_};
   const double narrowest = *std::min_element(extent, extent + 3);
-  const double diagonal = std::sqrt(extent[0] * extent[0] + extent[1] * extent[1] +
-                                    extent[2] * extent[2]);
+  const double diagonal =
+      std::sqrt(extent[0] * extent[0] + extent[1] * extent[1] + extent[2] * extent[2]);
   if (narrowest < 0.0)
     rod_error_all(lmp,
                   "Fix %s (id %s): region %s is too small for the rod: it is %g wide at its "

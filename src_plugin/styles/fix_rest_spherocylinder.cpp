@@ -9,13 +9,13 @@
 #include "comm.h"
 #include "core/mass_properties.h"
 #include "core/rotation.h"
-#include "host/deck_numbers.h"
 #include "error.h"
 #include "fix_gravity.h"
 #include "force.h"
+#include "host/deck_numbers.h"
+#include "host/rod_error.h"
 #include "modify.h"
 #include "output.h"
-#include "host/rod_error.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "signal_handling.h"
 #include "update.h"
@@ -35,8 +35,7 @@ FixRestSpherocylinder::FixRestSpherocylinder(LAMMPS *lmp, int narg, char **arg)
     : Fix(lmp, narg, arg), largest_energy_(1e-5), largest_unbalanced_(1e-2)
 {
   rods_of(lmp, "Fix rest/spherocylinder");
-  if (narg < 4)
-    rod_error_all(lmp, "Fix %s (id %s): expected an interval in steps", style, id);
+  if (narg < 4) rod_error_all(lmp, "Fix %s (id %s): expected an interval in steps", style, id);
   interval_ = deck_whole_number(lmp, fix_and_id(arg), "the interval", arg[3]);
   if (interval_ < 1)
     rod_error_all(lmp, "Fix %s (id %s): the interval must be >= 1 step (got %s)", style, id,
@@ -58,7 +57,8 @@ void FixRestSpherocylinder::parse_options(int narg, char **arg)
                      : strcmp(arg[i], "window") == 0     ? &window_
                                                          : nullptr;
     if (!option)
-      rod_error_all(lmp, "Fix %s (id %s): unknown keyword %s (expected energy, unbalanced or window)",
+      rod_error_all(lmp,
+                    "Fix %s (id %s): unknown keyword %s (expected energy, unbalanced or window)",
                     style, id, arg[i]);
     const char *value = i + 1 < narg ? arg[i + 1] : "nothing";
     *option = deck_number(lmp, fix_and_id(arg), arg[i], value);
@@ -92,8 +92,10 @@ double FixRestSpherocylinder::find_gravity() const
   }
   const double gravity = sc::norm(sc::load(total));
   if (!(gravity > 0.0))
-    rod_error_all(lmp, "Fix %s (id %s) requires a fix gravity: energies and forces are measured by "
-                  "the rods' weight", style, id);
+    rod_error_all(lmp,
+                  "Fix %s (id %s) requires a fix gravity: energies and forces are measured by "
+                  "the rods' weight",
+                  style, id);
   return gravity;
 }
 
@@ -135,8 +137,7 @@ void FixRestSpherocylinder::look()
     sums[0] += 1.0;
     sums[1] += energy / (weight * 2.0 * atom->shape[i][0]);
     const double arm = atom->shape[i][2];  // half the total length
-    largest[0] = std::max(largest[0],
-                          sc::norm_squared(sc::load(atom->f[i])) / (weight * weight));
+    largest[0] = std::max(largest[0], sc::norm_squared(sc::load(atom->f[i])) / (weight * weight));
     largest[1] = std::max(largest[1], sc::norm_squared(sc::load(atom->torque[i])) /
                                           (weight * arm * weight * arm));
   }

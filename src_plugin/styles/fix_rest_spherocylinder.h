@@ -26,11 +26,11 @@ class FixRestSpherocylinder : public Fix {
  private:
   static constexpr bigint kNever = -1;
 
-  int interval_;                // steps between two looks
-  double largest_energy_;       // mean kinetic energy over m g D
-  double largest_unbalanced_;   // net force over m g, net torque over m g L/2
-  double window_ = -1.0;        // s at rest before the run ends; < 0: from gravity and diameter
-  double gravity_ = 0.0;        // m/s^2
+  int interval_;               // steps between two looks
+  double largest_energy_;      // mean kinetic energy over m g D
+  double largest_unbalanced_;  // net force over m g, net torque over m g L/2
+  double window_ = -1.0;       // s at rest before the run ends; < 0: from gravity and diameter
+  double gravity_ = 0.0;       // m/s^2
   double mean_energy_ = 0.0, net_force_ = 0.0, net_torque_ = 0.0;  // at the last look
   double seconds_at_rest_ = 0.0;
   bigint run_began_ = kNever;   // step

@@ -9,12 +9,12 @@
 #include "comm.h"
 #include "domain.h"
 #include "fix_property_atom.h"
-#include "input.h"
 #include "host/member_access.h"
+#include "host/rod_error.h"
+#include "input.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "primitive_wall.h"
-#include "host/rod_error.h"
 #include "update.h"
 #include "variable.h"
 
@@ -67,7 +67,8 @@ FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments 
   if (!primitiveWall_) return;
   const double radius = (primitiveWall_->*member(WallParameters()))[0];
   if (surface_of(*primitiveWall_).is_cylinder && !(radius > 0.0 && std::isfinite(radius)))
-    rod_error_all(lmp, "Fix wall/gran (id %s): the cylinder's radius must be > 0 (got %g)", id, radius);
+    rod_error_all(lmp, "Fix wall/gran (id %s): the cylinder's radius must be > 0 (got %g)", id,
+                  radius);
   check_shear();
 }
 
@@ -75,14 +76,17 @@ void FixWallGranSpherocylinder::check_shear() const
 {
   const WallSurface surface = surface_of(*primitiveWall_);
   if (arguments_.turns && surface.is_cylinder)
-    rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane; a cylinder turns by shear along "
-                       "another direction than its axis", id);
-  if (shear_ && !surface.is_cylinder && shearDim_ == axis_of(surface))
     rod_error_all(lmp,
-                  "Fix wall/gran (id %s): shear %c is along the plane's normal, wanted one along the "
-                  "plane; a plane turns about its normal by turn rate c1 c2, and moves along it by a "
-                  "variable as its position",
-                  id, 'x' + shearDim_);
+                  "Fix wall/gran (id %s): turn is for a plane; a cylinder turns by shear along "
+                  "another direction than its axis",
+                  id);
+  if (shear_ && !surface.is_cylinder && shearDim_ == axis_of(surface))
+    rod_error_all(
+        lmp,
+        "Fix wall/gran (id %s): shear %c is along the plane's normal, wanted one along the "
+        "plane; a plane turns about its normal by turn rate c1 c2, and moves along it by a "
+        "variable as its position",
+        id, 'x' + shearDim_);
 }
 
 void FixWallGranSpherocylinder::init()
@@ -126,12 +130,14 @@ void FixWallGranSpherocylinder::check_no_image_is_missed() const
                     "seen from the other side of the box; wanted boundary f, s or m there",
                     id, 'x' + d);
     if (surface.is_cylinder && !is_normal &&
-        (point[d] - surface.radius < domain->boxlo[d] || point[d] + surface.radius > domain->boxhi[d]))
-      rod_error_all(lmp,
-                    "Fix wall/gran (id %s): the cylinder from %g to %g in the periodic direction %c "
-                    "must lie within the box, %g to %g",
-                    id, point[d] - surface.radius, point[d] + surface.radius, 'x' + d,
-                    domain->boxlo[d], domain->boxhi[d]);
+        (point[d] - surface.radius < domain->boxlo[d] ||
+         point[d] + surface.radius > domain->boxhi[d]))
+      rod_error_all(
+          lmp,
+          "Fix wall/gran (id %s): the cylinder from %g to %g in the periodic direction %c "
+          "must lie within the box, %g to %g",
+          id, point[d] - surface.radius, point[d] + surface.radius, 'x' + d, domain->boxlo[d],
+          domain->boxhi[d]);
   }
 }
 
@@ -140,8 +146,9 @@ void FixWallGranSpherocylinder::find_variable()
   std::string &name = arguments_.position_variable;
   variable_ = input->variable->find(&name[0]);
   if (variable_ < 0 || !input->variable->equalstyle(variable_))
-    rod_error_all(lmp, "Fix wall/gran (id %s): variable %s for the plane's position must be of style "
-                       "equal (got %s)",
+    rod_error_all(lmp,
+                  "Fix wall/gran (id %s): variable %s for the plane's position must be of style "
+                  "equal (got %s)",
                   id, name.c_str(), variable_ < 0 ? "none of this name" : "another style");
 }
 
@@ -152,8 +159,9 @@ void FixWallGranSpherocylinder::move_plane()
   const double position = input->variable->compute_equal(variable_);
   modify->addstep_compute(update->ntimestep + 1);
   if (!std::isfinite(position))
-    rod_error_all(lmp, "Fix wall/gran (id %s): variable %s for the plane's position must be a number "
-                       "(got %g at step " BIGINT_FORMAT ")",
+    rod_error_all(lmp,
+                  "Fix wall/gran (id %s): variable %s for the plane's position must be a number "
+                  "(got %g at step " BIGINT_FORMAT ")",
                   id, arguments_.position_variable.c_str(), position, update->ntimestep);
 
   const double way = position - position_;

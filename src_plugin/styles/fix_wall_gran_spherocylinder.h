@@ -4,8 +4,8 @@
 
 #include "fix_wall_gran.h"
 #include "lists/near_wall_rods.h"
-#include "walls/rod_wall.h"
 #include "styles/wall_arguments.h"
+#include "walls/rod_wall.h"
 
 namespace LAMMPS_NS {
 

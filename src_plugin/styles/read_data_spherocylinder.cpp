@@ -6,10 +6,10 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "styles/data_file_check.h"
 #include "domain.h"
-#include "read_data.h"
 #include "host/rod_error.h"
+#include "read_data.h"
+#include "styles/data_file_check.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -63,8 +63,8 @@ std::string ReadDataSpherocylinder::fault_of(const std::string &file, int narg, 
   }
 
   const bool is_compressed = ends_with(file, ".gz");
-  FILE *stream = is_compressed ? popen(("gunzip -c '" + file + "'").c_str(), "r")
-                               : fopen(file.c_str(), "r");
+  FILE *stream =
+      is_compressed ? popen(("gunzip -c '" + file + "'").c_str(), "r") : fopen(file.c_str(), "r");
   if (!stream) return "";
   const std::string fault = fault_of_data_file(stream, surroundings);
   if (is_compressed)

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "styles/replicate_rods.h"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <cstring>
 
+#include <mpi.h>
+
 #include "atom.h"
 #include "fix.h"
-#include "styles/fix_contact_history_spherocylinder.h"
 #include "force.h"
+#include "host/rod_error.h"
 #include "modify.h"
 #include "pair_gran.h"
-#include "host/rod_error.h"
+#include "styles/fix_contact_history_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 
@@ -28,27 +28,29 @@ int ReplicateRods::highest_id() const
 void ReplicateRods::command(int narg, char **arg)
 {
   if (modify->fix_restart_in_progress())
-    rod_error_all(lmp, "Replicate must come after the first run (run 0 will do) when rods with contacts have "
-                       "been read from a restart file");
+    rod_error_all(
+        lmp, "Replicate must come after the first run (run 0 will do) when rods with contacts have "
+             "been read from a restart file");
   for (int k = 0; k < modify->nfix; k++) {
     const Fix *fix = modify->fix[k];
     if (strcmp(fix->style, "spring/self") == 0 || strcmp(fix->style, "store/state") == 0)
-      rod_error_all(lmp,
-                    "Replicate: fix %s (id %s) keeps where each rod was, and of a copy its original's "
-                    "place; define it after replicate",
-                    fix->style, fix->id);
+      rod_error_all(
+          lmp,
+          "Replicate: fix %s (id %s) keeps where each rod was, and of a copy its original's "
+          "place; define it after replicate",
+          fix->style, fix->id);
   }
   bring_histories_to_rods(lmp);
   const std::vector<int> ids(atom->tag, atom->tag + atom->nlocal);
   const int highest = highest_id();
-  const bigint copies = narg < 3 ? 1
-                                 : bigint{force->inumeric(FLERR, arg[0])} *
-                                       force->inumeric(FLERR, arg[1]) *
-                                       force->inumeric(FLERR, arg[2]);
+  const bigint copies = narg < 3
+                            ? 1
+                            : bigint{force->inumeric(FLERR, arg[0])} *
+                                  force->inumeric(FLERR, arg[1]) * force->inumeric(FLERR, arg[2]);
   if (copies * highest > MAXTAGINT)
-    rod_error_all(lmp,
-                  "Replicate: " BIGINT_FORMAT " times ids up to %d need ids beyond the greatest one, %d",
-                  copies, highest, MAXTAGINT);
+    rod_error_all(
+        lmp, "Replicate: " BIGINT_FORMAT " times ids up to %d need ids beyond the greatest one, %d",
+        copies, highest, MAXTAGINT);
   Replicate::command(narg, arg);
   number_copies(ids, highest);
 }
@@ -58,8 +60,8 @@ void ReplicateRods::command(int narg, char **arg)
 void ReplicateRods::number_copies(const std::vector<int> &ids, int highest)
 {
   auto *pair = dynamic_cast<PairGran *>(force->pair);
-  auto *histories = pair ? dynamic_cast<FixContactHistorySpherocylinder *>(pair->get_fix_history())
-                         : nullptr;
+  auto *histories =
+      pair ? dynamic_cast<FixContactHistorySpherocylinder *>(pair->get_fix_history()) : nullptr;
   const int originals = static_cast<int>(ids.size());
   for (int i = 0; i < atom->nlocal; i++) {
     const int original = i % originals, shift = i / originals * highest;

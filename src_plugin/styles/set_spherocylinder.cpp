@@ -7,17 +7,17 @@
 #include <cstring>
 
 #include "atom.h"
-#include "rods/atom_vec_spherocylinder.h"
 #include "comm.h"
 #include "core/mass_properties.h"
 #include "domain.h"
 #include "force.h"
 #include "group.h"
+#include "host/deck_numbers.h"
+#include "host/rod_error.h"
 #include "input.h"
 #include "random_park.h"
 #include "region.h"
-#include "host/rod_error.h"
-#include "host/deck_numbers.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "set.h"
 #include "variable.h"
 
@@ -34,8 +34,8 @@ struct Keyword {
 };
 
 // What makes up a rod.
-constexpr Keyword kOurs[] = {{"diameter", 1}, {"length", 1},      {"shape", 3},
-                             {"density", 1},  {"axis", 3},        {"quat", 4},
+constexpr Keyword kOurs[] = {{"diameter", 1},    {"length", 1},      {"shape", 3},
+                             {"density", 1},     {"axis", 3},        {"quat", 4},
                              {"quat_direct", 4}, {"quat/random", 1}, {"angmom", 3}};
 
 // LIGGGHTS's own, by the number of values that follow; `property/atom` takes the rest of the line.
@@ -147,7 +147,7 @@ std::vector<int> SetSpherocylinder::chosen(const char *style, const char *id) co
   for (int i = 0; i < atom->nlocal; i++) {
     const int number = by_id ? atom->tag[i] : atom->type[i];
     const double *x = atom->x[i];
-    if (region ? region->match(x[0], x[1], x[2]) != 0
+    if (region     ? region->match(x[0], x[1], x[2]) != 0
         : groupbit ? (atom->mask[i] & groupbit) != 0
                    : number >= lowest && number <= highest)
       rods.push_back(i);
@@ -155,8 +155,7 @@ std::vector<int> SetSpherocylinder::chosen(const char *style, const char *id) co
   return rods;
 }
 
-SetSpherocylinder::Value SetSpherocylinder::value_of(const char *keyword,
-                                                     const char *word) const
+SetSpherocylinder::Value SetSpherocylinder::value_of(const char *keyword, const char *word) const
 {
   Value value;
   if (strncmp(word, "v_", 2) != 0) {
@@ -229,20 +228,22 @@ void SetSpherocylinder::apply_size(const std::vector<Setting> &settings, int i)
     if (setting.keyword == "density") density = value(0);
     if (setting.keyword == "shape") {
       if (value(0) != value(1))
-        rod_error_one(lmp,
-                      "Command set: shape of rod %d must be r r L/2, radius twice and half the total "
-                      "length (got %g %g %g)",
-                      atom->tag[i], value(0), value(1), value(2));
+        rod_error_one(
+            lmp,
+            "Command set: shape of rod %d must be r r L/2, radius twice and half the total "
+            "length (got %g %g %g)",
+            atom->tag[i], value(0), value(1), value(2));
       diameter = 2.0 * scale * value(0);
       length = 2.0 * scale * value(2);
     }
   }
   if (!is_given) return;
   if (diameter > 0.0 && length > 0.0 && length < diameter)
-    rod_error_one(lmp,
-                  "Command set: length of rod %d is the total length and must be >= the diameter %g "
-                  "(got %g)",
-                  atom->tag[i], diameter, length);
+    rod_error_one(
+        lmp,
+        "Command set: length of rod %d is the total length and must be >= the diameter %g "
+        "(got %g)",
+        atom->tag[i], diameter, length);
   rods_.set_rod(i, diameter, length, density);
 }
 

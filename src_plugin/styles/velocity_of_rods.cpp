@@ -30,8 +30,9 @@ void VelocityOfRods::check_rods_have_inertia()
 {
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->inertia[i][0] == 0.0)
-      rod_error_one(lmp, "Command velocity: setAngular wants the size of rod %d first, by set ... "
-                         "diameter D length L density RHO",
+      rod_error_one(lmp,
+                    "Command velocity: setAngular wants the size of rod %d first, by set ... "
+                    "diameter D length L density RHO",
                     atom->tag[i]);
 }
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cstring>
 
-#include "host/deck_numbers.h"
-#include "force.h"
 #include "fix.h"
+#include "force.h"
+#include "host/deck_numbers.h"
+#include "host/rod_error.h"
 #include "lammps.h"
 #include "modify.h"
-#include "host/rod_error.h"
 
 using namespace LAMMPS_NS;
 
@@ -36,20 +36,24 @@ WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
       continue;
     }
     if (k + 3 >= narg)
-      rod_error_all(lmp, "Fix wall/gran (id %s): turn must be followed by a rate and two coordinates of "
-                         "the centre in the plane", arg[0]);
+      rod_error_all(lmp,
+                    "Fix wall/gran (id %s): turn must be followed by a rate and two coordinates of "
+                    "the centre in the plane",
+                    arg[0]);
     turns = true;
     turning = deck_number(lmp, fix_and_id(arg), "the rate of turn", arg[++k]);
-    for (double &coordinate : centre) coordinate = deck_number(lmp, fix_and_id(arg), "the centre of turn", arg[++k]);
+    for (double &coordinate : centre)
+      coordinate = deck_number(lmp, fix_and_id(arg), "the centre of turn", arg[++k]);
   }
 
   // LIGGGHTS reads on without looking where the line ends.
   for (size_t k = kFirst; k < others.size(); k++)
     if (strcmp(others[k], "primitive") == 0 && k + 4 >= others.size())
-      rod_error_all(lmp,
-                    "Fix wall/gran (id %s): primitive must be followed by type, an atom type, a wall style "
-                    "and where it is (got %d words)",
-                    arg[0], static_cast<int>(others.size() - k - 1));
+      rod_error_all(
+          lmp,
+          "Fix wall/gran (id %s): primitive must be followed by type, an atom type, a wall style "
+          "and where it is (got %d words)",
+          arg[0], static_cast<int>(others.size() - k - 1));
 
   // primitive type tp wallstyle position
   for (size_t k = kFirst; k + 4 < others.size(); k++) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "conservation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include <fmt/format.h>
 
 namespace decks {
 
@@ -45,8 +45,7 @@ Scene trapped_gas_with_friction(const RodGas &gas, long steps)
     scene.box_hi[d] = 4.0 * half;
   }
   for (const char *axis : {"x", "y", "z"})
-    scene.physics +=
-        fmt::format("variable pull_{0} atom -{1}*mass*{0}\n", axis, 4.0 * rate * rate);
+    scene.physics += fmt::format("variable pull_{0} atom -{1}*mass*{0}\n", axis, 4.0 * rate * rate);
   scene.physics += "fix trap all addforce v_pull_x v_pull_y v_pull_z\n";
   return scene;
 }
@@ -167,10 +166,8 @@ std::vector<RankDifference> difference_of_ranks(const RodGas &gas, const std::ve
   for (const Mode mode : modes) {
     const std::vector<Frame> many = run(scene, mode);
     for (size_t f = 1; f < one.size() && f < many.size(); f++) {
-      const double touching =
-          std::accumulate(one[f].contacts.begin(), one[f].contacts.end(), 0.0);
-      result.push_back(
-          {mode, one[f].step, 0.5 * touching, difference(many[f].rods, one[f].rods)});
+      const double touching = std::accumulate(one[f].contacts.begin(), one[f].contacts.end(), 0.0);
+      result.push_back({mode, one[f].step, 0.5 * touching, difference(many[f].rods, one[f].rods)});
     }
   }
   return result;

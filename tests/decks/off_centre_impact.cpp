@@ -107,11 +107,10 @@ Scene scene_of(const std::vector<Impact> &impacts, const ImpactSet &set)
     scene.box_hi[d] = reach;
   }
   const auto restitution = [&](int i, int j) { return set.restitutions[std::max(i, j) - 1]; };
-  scene.physics = pair_property("kn", scene.types, kStiffness) +
-                  pair_property("kt", scene.types, kStiffness) +
-                  pair_property("coefficientRestitution", scene.types, restitution) +
-                  rod_pair("linear tangential off", set.keywords) +
-                  "fix motion all nve/spherocylinder\n";
+  scene.physics =
+      pair_property("kn", scene.types, kStiffness) + pair_property("kt", scene.types, kStiffness) +
+      pair_property("coefficientRestitution", scene.types, restitution) +
+      rod_pair("linear tangential off", set.keywords) + "fix motion all nve/spherocylinder\n";
   if (set.partner == Partner::Wall)
     scene.physics +=
         rod_wall("floor", "linear tangential off", "type 1 zplane 0.0 " + set.keywords);

@@ -84,13 +84,12 @@ Scene scene_of(const RodGas &gas)
     rod.velocity = speed * direction();
     // I_t omega^2 = (2/3) m v^2
     const double inertia = rod.properties().inertia_transverse;
-    rod.omega = speed * std::sqrt(2.0 / 3.0 * mass / inertia) *
-                normalized(cross(rod.axis, direction()));
+    rod.omega =
+        speed * std::sqrt(2.0 / 3.0 * mass / inertia) * normalized(cross(rod.axis, direction()));
     scene.rods.push_back(rod);
   }
   const Vec3 excess = momentum(scene.rods);
-  for (Rod &rod : scene.rods)
-    rod.velocity = rod.velocity - 1.0 / (gas.rods * rod.mass()) * excess;
+  for (Rod &rod : scene.rods) rod.velocity = rod.velocity - 1.0 / (gas.rods * rod.mass()) * excess;
   return scene;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "scene.h"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "core/rotation.h"
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Wrong decks and data files: the program must end with an exit code other than 0 and one sentence
 // that says who complains, what about, the value seen and the value wanted.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "deck_run.h"
 
@@ -223,9 +222,8 @@ INSTANTIATE_TEST_SUITE_P(
                  {"ata file"}}),
     input_name);
 
-const char *const kYoung =
-    "fix young all property/global youngsModulus peratomtype 5e6\n"
-    "fix nu all property/global poissonsRatio peratomtype 0.3\n";
+const char *const kYoung = "fix young all property/global youngsModulus peratomtype 5e6\n"
+                           "fix nu all property/global poissonsRatio peratomtype 0.3\n";
 const std::string kWall = "wall/gran model linear tangential history surface spherocylinder ";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -234,8 +232,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"StiffnessMissing",
                  {"fix kn all property/global kn peratomtypepair 1 1e5\n", ""},
                  {"property", "kn"}},
-        BadInput{
-            "StiffnessZero", {"kn peratomtypepair 1 1e5", "kn peratomtypepair 1 0"}, {"kn", "> 0"}},
+        BadInput{"StiffnessZero",
+                 {"kn peratomtypepair 1 1e5", "kn peratomtypepair 1 0"},
+                 {"kn", "> 0"}},
         BadInput{"FrictionMissing",
                  {"fix fric all property/global coefficientFriction peratomtypepair 1 0.3\n", ""},
                  {"property", "coefficientFriction"}},
@@ -276,10 +275,10 @@ INSTANTIATE_TEST_SUITE_P(
                  {"surface spherocylinder\npair_coeff",
                   "surface spherocylinder close_skin wide\npair_coeff"},
                  {"close_skin must be auto or a length > 0", "got wide"}},
-        BadInput{"CloseSkinMissing",
-                 {"surface spherocylinder\npair_coeff",
-                  "surface spherocylinder close_skin\npair_coeff"},
-                 {"close_skin must be auto or a length > 0", "got nothing"}},
+        BadInput{
+            "CloseSkinMissing",
+            {"surface spherocylinder\npair_coeff", "surface spherocylinder close_skin\npair_coeff"},
+            {"close_skin must be auto or a length > 0", "got nothing"}},
         BadInput{"ContactForcesStored",
                  {"", "fix mean all continuum/weighted kernel_radius 0.1 kernel_type Wendland "
                       "compute stress"},
@@ -288,8 +287,9 @@ INSTANTIATE_TEST_SUITE_P(
                  {"boundary f f f", "boundary p p p"},
                  {"Fix wall/gran (id floor)", "periodic direction z"}},
         BadInput{"CylinderOverAPeriodicFace",
-                 {"", "change_box all boundary p f f\nfix vessel all wall/gran model linear "
-                      "tangential history surface spherocylinder primitive type 1 zcylinder 0.6 0 0"},
+                 {"",
+                  "change_box all boundary p f f\nfix vessel all wall/gran model linear "
+                  "tangential history surface spherocylinder primitive type 1 zcylinder 0.6 0 0"},
                  {"Fix wall/gran (id vessel)", "from -0.6 to 0.6", "-0.5 to 0.5"}},
         BadInput{"CylinderOfNegativeRadius",
                  {"", "fix vessel all wall/gran model linear tangential history surface "
@@ -300,13 +300,16 @@ INSTANTIATE_TEST_SUITE_P(
                       "spherocylinder primitive type 1 zcylinder 0.004 0 0"},
                  {"Fix wall/gran (id vessel)", "0.004", "thickest rod (got 0.005)"}},
         BadInput{"KeywordWithoutValue",
-                 {"history surface spherocylinder\npair_coeff", "history surface spherocylinder limitForce\npair_coeff"},
+                 {"history surface spherocylinder\npair_coeff",
+                  "history surface spherocylinder limitForce\npair_coeff"},
                  {"Surface spherocylinder", "each have a value", "limitForce"}},
         BadInput{"SearchOfNoKind",
-                 {"history surface spherocylinder\npair_coeff", "history surface spherocylinder search fast\npair_coeff"},
+                 {"history surface spherocylinder\npair_coeff",
+                  "history surface spherocylinder search fast\npair_coeff"},
                  {"Surface spherocylinder", "search must be exact or five_step", "got fast"}},
         BadInput{"SearchWithoutValue",
-                 {"history surface spherocylinder\npair_coeff", "history surface spherocylinder search\npair_coeff"},
+                 {"history surface spherocylinder\npair_coeff",
+                  "history surface spherocylinder search\npair_coeff"},
                  {"Surface spherocylinder", "search must be exact or five_step", "got nothing"}},
         BadInput{"EffectiveMassOfNoKind",
                  {"history surface spherocylinder\npair_coeff",
@@ -330,9 +333,10 @@ INSTANTIATE_TEST_SUITE_P(
                  {"timestep 1e-5", "timestep -1e-5"},
                  {"time step must be > 0", "-1e-05"}},
         BadInput{"ReplicateAfterRestart",
-                 {"", "run 1\nwrite_restart r\nclear\natom_style spherocylinder\natom_modify map "
-                      "array\nnewton off\ncommunicate single vel yes\nread_restart r\nreplicate 2 1 1 "
-                      "offset 2 2 2 shift 0 0 0"},
+                 {"",
+                  "run 1\nwrite_restart r\nclear\natom_style spherocylinder\natom_modify map "
+                  "array\nnewton off\ncommunicate single vel yes\nread_restart r\nreplicate 2 1 1 "
+                  "offset 2 2 2 shift 0 0 0"},
                  {"Replicate must come after the first run"}},
         BadInput{"ReplicateWithSpringSelf",
                  {"", "fix home all spring/self 10.0\nreplicate 2 1 1 offset 2 2 2 shift 0 0 0"},
@@ -346,9 +350,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"DumpFormatTooShort",
                  {"", "dump d all custom 1 dump.d id x y\ndump_modify d format \"%d %g\""},
                  {"Dump custom (id d)", "3 columns", "got 2"}},
-        BadInput{"NoRods",
-                 {"", "delete_atoms group all"},
-                 {"Atom style spherocylinder", "no rod"}},
+        BadInput{"NoRods", {"", "delete_atoms group all"}, {"Atom style spherocylinder", "no rod"}},
         BadInput{"AtomStyleWithArguments",
                  {"atom_style spherocylinder", "atom_style spherocylinder 10"},
                  {"atom_style spherocylinder", "no arguments"}},
@@ -373,8 +375,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"LimitNegative",
                  {"", "fix lim all limit/omega -1"},
                  {"Fix limit/omega (id lim)", "must be > 0", "got -1"}},
-        BadInput{
-            "LimitMissing", {"", "fix lim all limit/omega"}, {"limit/omega (id lim)", "limit"}},
+        BadInput{"LimitMissing",
+                 {"", "fix lim all limit/omega"},
+                 {"limit/omega (id lim)", "limit"}},
         BadInput{"LimitKeywordUnknown",
                  {"", "fix lim all limit/omega 4 part axial"},
                  {"Fix limit/omega (id lim)", "part", "component"}},
@@ -405,12 +408,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"IntegratorWithArguments",
                  {"all nve/spherocylinder", "all nve/spherocylinder fast"},
                  {"nve/spherocylinder", "motion", "fast", "expected rotation"}},
-        BadInput{"IntegratorWithAnotherRotation",
-                 {"all nve/spherocylinder", "all nve/spherocylinder rotation euler"},
-                 {"nve/spherocylinder (id motion)", "rotation must be exact or plain", "got euler"}},
-        BadInput{"IntegratorWithNoRotation",
-                 {"all nve/spherocylinder", "all nve/spherocylinder rotation"},
-                 {"nve/spherocylinder (id motion)", "rotation must be exact or plain", "got nothing"}},
+        BadInput{
+            "IntegratorWithAnotherRotation",
+            {"all nve/spherocylinder", "all nve/spherocylinder rotation euler"},
+            {"nve/spherocylinder (id motion)", "rotation must be exact or plain", "got euler"}},
+        BadInput{
+            "IntegratorWithNoRotation",
+            {"all nve/spherocylinder", "all nve/spherocylinder rotation"},
+            {"nve/spherocylinder (id motion)", "rotation must be exact or plain", "got nothing"}},
         BadInput{"RodsOutsideACylinder",
                  {"zplane 0.0", "zcylinder 0.05 0.08 0.0"},
                  {"wall/gran (id floor)", "rod 1", "inside of cylinders"}},
@@ -559,7 +564,8 @@ TEST(BadInput, StageThatDoesNotFitItsBed)
   const DeckFolder folder;
   for (const char *name : {"in.rods", "in.contact", "in.fill", "in.settle"})
     std::filesystem::copy(std::filesystem::path(INPUT_FOLDER) / name, folder / name);
-  folder.write("in.pour", "variable rods index 5\nvariable fill_time index 1e-4\ninclude in.fill\n");
+  folder.write("in.pour",
+               "variable rods index 5\nvariable fill_time index 1e-4\ninclude in.fill\n");
   EXPECT_EQ(folder.run("in.pour").exit_code, 0);
   folder.write("in.other", "variable lambda index 30\ninclude in.settle\n");
   const Outcome outcome = folder.run("in.other");
@@ -627,9 +633,8 @@ TEST(BadInput, RodsPlacedThroughAWallAreToldFromHardImpacts)
 
   // v sqrt(m/k) = 0.9 diameters: 0.0205 kg, 1e5 N/m on one contact in the middle, 20 m/s; v dt = 0.02
   // diameters.
-  const auto by_motion =
-      warning(edited(kGoodDeck, {"run 10", "velocity all set 0 0 -20\nrun 80"}),
-              edited(kGoodData, {"0 0 0.2 1 0 0", "0 0 0.056 0 0 1"}));
+  const auto by_motion = warning(edited(kGoodDeck, {"run 10", "velocity all set 0 0 -20\nrun 80"}),
+                                 edited(kGoodData, {"0 0 0.2 1 0 0", "0 0 0.056 0 0 1"}));
   ASSERT_EQ(by_motion.size(), 1u);
   EXPECT_NE(by_motion[0].find(hit), std::string::npos) << by_motion[0];
 }

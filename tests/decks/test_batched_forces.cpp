@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The law that works out model linear's contacts in batches against LIGGGHTS's contact models called
 // one contact after the other, unobserved and under all observers.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <random>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "claim.h"
 #include "run_mode.h"
@@ -110,14 +110,13 @@ Scene heap(const std::string &tangential, const std::string &keywords, Law law)
   Scene scene = heap();
   const std::string usual = "linear tangential " + tangential;
   const std::string models = law == Law::InBatches ? usual : lane_by_lane(usual);
-  scene.physics = material() + no_rolling_friction(kTypes) +
-                  fmt::format("pair_style gran model {} surface spherocylinder {}\n", models,
-                              keywords) +
-                  "pair_coeff * *\n" +
-                  rod_wall("floor", models, "type 1 zplane 0.0 " + keywords) +
-                  "group fixed type 3\ngroup loose type 1 2\nfix hold fixed freeze\n"
-                  "fix weight all gravity 9.81 vector 0.0 0.0 -1.0\n"
-                  "fix motion loose nve/spherocylinder\n";
+  scene.physics =
+      material() + no_rolling_friction(kTypes) +
+      fmt::format("pair_style gran model {} surface spherocylinder {}\n", models, keywords) +
+      "pair_coeff * *\n" + rod_wall("floor", models, "type 1 zplane 0.0 " + keywords) +
+      "group fixed type 3\ngroup loose type 1 2\nfix hold fixed freeze\n"
+      "fix weight all gravity 9.81 vector 0.0 0.0 -1.0\n"
+      "fix motion loose nve/spherocylinder\n";
   return scene;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix check/timestep/spherocylinder on a rod at rest on a plane: the bound it states, its warning and
 // its error.
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "claim.h"
 #include "scene.h"
@@ -50,8 +50,7 @@ double stable_step()
 {
   const Rod rod;
   const auto properties = rod.properties();
-  const double m = rod.mass(), I_t = properties.inertia_transverse,
-               I_a = properties.inertia_axial;
+  const double m = rod.mass(), I_t = properties.inertia_transverse, I_a = properties.inertia_axial;
   const double a = rod.half_cylinder();
   // Contact point: midway in the overlap.
   const double c = rod.radius() - 0.5 * m * 9.81 / (2.0 * kKn);
@@ -82,7 +81,8 @@ TEST(CheckTimestep, WarnsOnceAndStopsIfAsked)
   const DeckFolder folder;
   const Outcome warned = run_resting_rod(folder, "1 0.01");
   EXPECT_EQ(warned.exit_code, 0);
-  const std::string sentence = "WARNING: Fix check/timestep/spherocylinder (id check): time step 2e-05";
+  const std::string sentence =
+      "WARNING: Fix check/timestep/spherocylinder (id check): time step 2e-05";
   const size_t first = warned.output.find(sentence);
   ASSERT_NE(first, std::string::npos) << warned.output;
   EXPECT_EQ(warned.output.find(sentence, first + 1), std::string::npos);

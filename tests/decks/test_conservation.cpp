@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A gas of colliding rods keeps momentum, angular momentum and, elastic and frictionless, energy;
 // and does not depend on the number of ranks. bench/sweep_conservation goes on for longer.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "conservation.h"
@@ -37,9 +37,9 @@ TEST(Conservation, AngularMomentumOfATrappedGasWithFriction)
 {
   const Conserved gas = angular_momentum_in_a_trap(small_gas(), 8000);
   EXPECT_GT(gas.collisions, 150.0);
-  expect_holds({"Trapped gas with friction, lambda 3-10: angular momentum, relative", "conserved",
-                1e-12},
-               gas.error);
+  expect_holds(
+      {"Trapped gas with friction, lambda 3-10: angular momentum, relative", "conserved", 1e-12},
+      gas.error);
 }
 
 // A collision that begins at the depth a v dt after its first step and ends at b v dt changes the
@@ -62,9 +62,9 @@ TEST(Conservation, EnergyOfAnElasticGas)
   }
   EXPECT_GT(order_of_convergence(dt, errors), 1.5);
   // sqrt(130) 0.105 (pi/80)^2 = 1.8e-3.
-  expect_holds({"Elastic gas, lambda 10, 80 steps a contact: energy / that of one rod", "conserved",
-                2e-3},
-               errors.back());
+  expect_holds(
+      {"Elastic gas, lambda 10, 80 steps a contact: energy / that of one rod", "conserved", 2e-3},
+      errors.back());
 }
 
 // spread_contact, the default. The few contacts that are spread at a reading hold less energy than
@@ -76,9 +76,9 @@ TEST(Conservation, EnergyOfAnElasticGasWithSpreadContact)
   gas.volume_fraction = 0.1;
   const EnergyDrift drift = energy_of_elastic_gas(gas, 80, 30.0, true);
   EXPECT_GT(drift.collisions, 50.0);
-  expect_holds({"Elastic gas with spread_contact, lambda 10: energy / that of one rod", "conserved",
-                2e-3},
-               drift.largest);
+  expect_holds(
+      {"Elastic gas with spread_contact, lambda 10: energy / that of one rod", "conserved", 2e-3},
+      drift.largest);
 }
 
 // Short rods, of which most contacts are spread (docs/notes/parallel_rods.md): what is read while
@@ -97,10 +97,11 @@ TEST(Conservation, EnergyOfShortRodsBetweenContacts)
       const EnergyBetweenContacts energy = energy_between_contacts(gas, steps, 150.0, true);
       EXPECT_GT(energy.collisions, 40.0);
       EXPECT_GT(energy.readings, 30);
-      fmt::print("lambda {}, {} steps a contact: {:.0f} collisions, {} readings, error {:.1e}, largest "
-                 "change {:.1e}\n",
-                 aspect_ratio, steps, energy.collisions, energy.readings, energy.largest,
-                 energy.largest_change);
+      fmt::print(
+          "lambda {}, {} steps a contact: {:.0f} collisions, {} readings, error {:.1e}, largest "
+          "change {:.1e}\n",
+          aspect_ratio, steps, energy.collisions, energy.readings, energy.largest,
+          energy.largest_change);
       largest = std::max(largest, energy.largest);
     }
     dt.push_back(1.0 / steps);
@@ -108,8 +109,8 @@ TEST(Conservation, EnergyOfShortRodsBetweenContacts)
   }
   EXPECT_GT(order_of_convergence(dt, errors), 1.5);
   // sqrt(60) 0.105 (pi/80)^2 = 1.3e-3, as for the closest point.
-  expect_holds({"Elastic gas of short rods, 80 steps a contact: energy / that of one rod", "conserved",
-                1.3e-3},
+  expect_holds({"Elastic gas of short rods, 80 steps a contact: energy / that of one rod",
+                "conserved", 1.3e-3},
                errors.back());
 }
 
@@ -119,8 +120,10 @@ TEST(Conservation, RanksAgree)
   const std::vector<RankDifference> differences =
       difference_of_ranks(small_gas(), {Mode::TwoRanks, Mode::FourRanks}, 2000, 2000);
   for (const RankDifference &d : differences)
-    expect_holds({"Trapped gas with friction, 1 and " + std::string(d.mode == Mode::TwoRanks ? "2" : "4") +
-                      " ranks, 2000 steps: position (m)", "same scene", 1e-12},
+    expect_holds({"Trapped gas with friction, 1 and " +
+                      std::string(d.mode == Mode::TwoRanks ? "2" : "4") +
+                      " ranks, 2000 steps: position (m)",
+                  "same scene", 1e-12},
                  d.position);
 }
 

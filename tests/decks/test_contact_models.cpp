@@ -2,11 +2,11 @@
 // LIGGGHTS's own contact models on rods, each against what its formulas say for the two virtual
 // spheres of a resting, creeping, hanging or rolling rod. On a floor, whose contacts are the rod's
 // ends, and across two fixed rods.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+
+#include <fmt/format.h>
 
 #include "claim.h"
 #include "run_mode.h"
@@ -109,11 +109,11 @@ TEST_P(RodModels, RodOnASlope)
   const double N = 0.5 * p.mass * kGravity * std::cos(slope);
   const double T = 0.5 * p.mass * kGravity * std::sin(slope);
   const double unequal = T * rod.radius() / (N * rod.half_cylinder());
-  const double shared = std::pow((1.0 - unequal) / (1.0 + unequal), normal == "hertz" ? 2.0 / 3 : 1);
+  const double shared =
+      std::pow((1.0 - unequal) / (1.0 + unequal), normal == "hertz" ? 2.0 / 3 : 1);
   const auto expected = [&](double arm, double R, double w) {
     const double turning = arm * arm / p.inertia_transverse;
-    return at_rest(normal, N, R,
-                   1.0 / (1.0 / p.mass + turning + w * (1.0 / p.mass - turning)));
+    return at_rest(normal, N, R, 1.0 / (1.0 / p.mass + turning + w * (1.0 / p.mass - turning)));
   };
   const AtRest wanted[] = {expected(rod.half_cylinder(), rod.radius(), shared),
                            expected(bars_arm, 0.5 * rod.radius(), 0.0)};
@@ -147,14 +147,14 @@ TEST_P(RodModels, RodOnASlope)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    , RodModels,
-    testing::Values(Models{"HookeHistory", "hooke", true}, Models{"HookeNoHistory", "hooke", false},
-                    Models{"StiffnessHistory", "hooke/stiffness", true},
-                    Models{"StiffnessNoHistory", "hooke/stiffness", false},
-                    Models{"HertzHistory", "hertz", true},
-                    Models{"HertzNoHistory", "hertz", false}),
-    [](const auto &info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(, RodModels,
+                         testing::Values(Models{"HookeHistory", "hooke", true},
+                                         Models{"HookeNoHistory", "hooke", false},
+                                         Models{"StiffnessHistory", "hooke/stiffness", true},
+                                         Models{"StiffnessNoHistory", "hooke/stiffness", false},
+                                         Models{"HertzHistory", "hertz", true},
+                                         Models{"HertzNoHistory", "hertz", false}),
+                         [](const auto &info) { return info.param.name; });
 
 // sjkr pulls with the energy density c times the contact area of the virtual spheres:
 //   on a wall  pi (r^2 - (r - d)^2) = pi (2 r d - d^2)
@@ -188,8 +188,8 @@ TEST(RodCohesion, Sjkr)
         rod.density *= times * 2.0 * contact.largest_pull() / (rod.mass() * kGravity);
       }
       const double load = 0.5 * rod.mass() * kGravity;
-      const double overlap = contact.overlap(
-          kind == Lies ? load : -std::min(load, 0.8 * contact.largest_pull()));
+      const double overlap =
+          contact.overlap(kind == Lies ? load : -std::min(load, 0.8 * contact.largest_pull()));
       Scene scene = lying_rods(rod, 1.02 * overlap, 1.02 * overlap, 0.03);
       scene.rods.erase(floor ? scene.rods.begin() + 1 : scene.rods.begin());
       if (floor) scene.rods.resize(1);

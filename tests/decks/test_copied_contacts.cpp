@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Friction that holds a rod goes on to hold it when rod and supports are turned or copied together.
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "scene.h"
 
@@ -46,11 +46,10 @@ Table forces_after(const Scene &scene, const std::string &command, int ranks, st
   folder.write("rods.data", data_file(scene));
   std::string start = preamble(scene);
   if (ranks == 2) start.insert(start.find("newton"), "processors 2 1 1\n");
-  folder.write("in.held",
-               start + "read_data rods.data\nneighbor 0.02 bin\nneigh_modify delay 0\n" +
-                   scene.physics + gravity(fmt::format("{} 0 -1", kSlope)) +
-                   "timestep 1e-5\nthermo_modify lost error\nrun 10000\n" + command +
-                   exact_dump("dump.end", 1, "id x y z fx fy fz") + "run 1\n");
+  folder.write("in.held", start + "read_data rods.data\nneighbor 0.02 bin\nneigh_modify delay 0\n" +
+                              scene.physics + gravity(fmt::format("{} 0 -1", kSlope)) +
+                              "timestep 1e-5\nthermo_modify lost error\nrun 10000\n" + command +
+                              exact_dump("dump.end", 1, "id x y z fx fy fz") + "run 1\n");
   const Outcome outcome = folder.run("in.held", {Program::Lmp, ranks, 60});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   if (said) *said = outcome.output;
@@ -104,8 +103,8 @@ TEST_P(CopiedContacts, SpringsToWallsAreForgotten)
   scene.rods[0].position.z = scene.rods[1].position.z = 0.5;
   scene.rods[2].position.z = 0.004998;
   std::string said;
-  const Table rods = forces_after(
-      scene, "displace_atoms all rotate 0 0 0 0 0 1 1.0e-6 units box\n", GetParam(), &said);
+  const Table rods = forces_after(scene, "displace_atoms all rotate 0 0 0 0 0 1 1.0e-6 units box\n",
+                                  GetParam(), &said);
   EXPECT_NE(said.find("0 contacts with rods that are not turned and 1 of rods with walls"),
             std::string::npos)
       << said;
@@ -122,7 +121,8 @@ TEST_P(CopiedContacts, CopiesAreHeldByTheirOwn)
   for (size_t k = 0; k < 6; k++) EXPECT_EQ(rods.at(k, "id"), k + 1.0);
   for (const size_t k : {2u, 5u})
     for (const char *component : {"fx", "fy", "fz"})
-      EXPECT_NEAR(rods.at(k, component), 0.0, 1e-6 * pull(scene)) << component << " of rod " << k + 1;
+      EXPECT_NEAR(rods.at(k, component), 0.0, 1e-6 * pull(scene))
+          << component << " of rod " << k + 1;
   EXPECT_NEAR(rods.at(5, "x") - rods.at(2, "x"), 0.4, 1e-12);
 }
 

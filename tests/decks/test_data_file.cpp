@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Data files with a mistake: the run ends with one sentence that names file, line, atom and word, on any
 // number of ranks; files without one are read whole.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "scene.h"
 
@@ -106,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "line 12, atom 3: 12 columns, wanted 11 or 14"},
         Mistake{"ImageFlagsOfSome", "-0.3 0 0 1", "-0.3 0 0 1 0 0 0",
                 "line 12, atom 3: 14 columns, wanted 11 as in the lines before"},
-        Mistake{"BlankLine", "\n3 1", "\n\n3 1", "line 12: a line of the Atoms section must not be blank"},
+        Mistake{"BlankLine", "\n3 1", "\n\n3 1",
+                "line 12: a line of the Atoms section must not be blank"},
         Mistake{"TooFewLines", "3 atoms", "4 atoms",
                 "line 13: a line of the Atoms section must not be blank"},
         Mistake{"TooManyLines", "3 atoms", "2 atoms",
@@ -120,7 +121,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"BoxFace", "-1 1 ylo yhi", "-1 1;0 ylo yhi",
                 "line 5: ylo and yhi must be a number (got 1;0)"},
         Mistake{"BoxEmpty", "-1 1 zlo zhi", "1 -1 zlo zhi", "line 6: zlo must be < zhi (got 1 -1)"},
-        Mistake{"NoBlankAfterTheName", "Atoms\n\n", "Atoms\n", "line 9: the line after Atoms must be blank"},
+        Mistake{"NoBlankAfterTheName", "Atoms\n\n", "Atoms\n",
+                "line 9: the line after Atoms must be blank"},
         Mistake{"VelocityAWord", "1e-3", "fast", "line 16, atom 1: vy must be a number (got fast)"},
         Mistake{"SpinAComma", "1 2 3", "1 2,5 3", "line 17, atom 2: wy must be a number (got 2,5)"},
         Mistake{"VelocityTooShort", "4 5 6", "4 5",

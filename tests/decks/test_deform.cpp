@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Boxes that change their size: periodic images move, and with `remap x` rods do, without any velocity.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <ostream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "scene.h"
 
@@ -14,10 +14,10 @@ namespace {
 
 struct Case {
   const char *name;
-  int axis;             // of the deformation
-  std::string change;   // the fix, or commands between two runs
-  double lo, hi;        // of the box at the end
-  double apart;         // of the two centres then, without the period (m)
+  int axis;            // of the deformation
+  std::string change;  // the fix, or commands between two runs
+  double lo, hi;       // of the box at the end
+  double apart;        // of the two centres then, without the period (m)
 };
 
 void PrintTo(const Case &c, std::ostream *out) { *out << c.name; }
@@ -64,7 +64,8 @@ std::string deck_of(const Case &c, const char *grid)
 const Case kCases[] = {
     {"RemapNone", 0, "fix squeeze all deform 1 x vel -6.0 remap none units box", -0.285, 0.285,
      0.565},
-    {"Slower", 1, "fix squeeze all deform 1 y vel -5.8 remap none units box", -0.2855, 0.2855, 0.565},
+    {"Slower", 1, "fix squeeze all deform 1 y vel -5.8 remap none units box", -0.2855, 0.2855,
+     0.565},
     {"AlongZ", 2, "fix squeeze all deform 1 z final -0.285 0.2852 remap none units box", -0.285,
      0.2852, 0.565},
     {"EveryTenSteps", 0, "fix squeeze all deform 10 x vel -6.0 remap none units box", -0.285, 0.285,
@@ -72,8 +73,7 @@ const Case kCases[] = {
     // Centres keep their fractions of the box: the gap shrinks with it.
     {"RemapX", 0, "fix squeeze all deform 1 x scale 0.22 remap x units box", -0.066, 0.066,
      0.22 * 0.565},
-    {"ChangeBox", 0, "change_box all x final -0.2864 0.2864 units box", -0.2864, 0.2864,
-     0.565},
+    {"ChangeBox", 0, "change_box all x final -0.2864 0.2864 units box", -0.2864, 0.2864, 0.565},
     {"ChangeBoxRemap", 2, "change_box all z scale 0.22 remap units box", -0.066, 0.066,
      0.22 * 0.565},
 };

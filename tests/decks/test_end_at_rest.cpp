@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix rest/spherocylinder: what is at rest and what only looks so, and how the run ends.
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "scene.h"
 
@@ -17,8 +17,8 @@ constexpr double kWindow = 0.02;
 constexpr double kDt = 1e-4;
 constexpr int kInterval = 10;
 constexpr long kSteps = 600;  // three windows
-const std::string kFix = fmt::format("fix rested all rest/spherocylinder {} window {}\n", kInterval,
-                                     kWindow);
+const std::string kFix =
+    fmt::format("fix rested all rest/spherocylinder {} window {}\n", kInterval, kWindow);
 
 // Flat on the floor, sunk by m g/(2 k): at rest but for its velocity.
 Rod lying_at(double x, double speed)
@@ -72,8 +72,10 @@ thermo 300
   Settling result;
   result.output = outcome.output;
   result.thermo = read_thermo(outcome.output);
-  if (result.thermo.rows.empty()) ADD_FAILURE() << outcome.output;
-  else result.last_step = static_cast<long>(result.thermo.rows.back()[0]);
+  if (result.thermo.rows.empty())
+    ADD_FAILURE() << outcome.output;
+  else
+    result.last_step = static_cast<long>(result.thermo.rows.back()[0]);
   return result;
 }
 
@@ -99,9 +101,10 @@ class EndAtRest : public testing::TestWithParam<int> {};
 TEST_P(EndAtRest, EndsTheRunWithItsOutputAndTheDeckGoesOn)
 {
   const DeckFolder folder;
-  const Settling result = settle(folder, {lying_at(-0.3, 0.0), lying_at(0.3, 0.0)}, kFix, GetParam(),
-                                 0.0, "write_restart rested\nvariable ended equal f_rested[5]\n"
-                                 "print \"the deck goes on: ${ended}\"\n");
+  const Settling result =
+      settle(folder, {lying_at(-0.3, 0.0), lying_at(0.3, 0.0)}, kFix, GetParam(), 0.0,
+             "write_restart rested\nvariable ended equal f_rested[5]\n"
+             "print \"the deck goes on: ${ended}\"\n");
   const long expected = kInterval + std::lround(kWindow / kDt) + 1;
   EXPECT_EQ(result.last_step, expected) << result.output;
   EXPECT_EQ(rested(result, 5), 1.0);
@@ -115,7 +118,8 @@ TEST_P(EndAtRest, EndsTheRunWithItsOutputAndTheDeckGoesOn)
   folder.write("in.again", preamble(Scene(), GetParam() > 1 ? Mode::TwoRanks : Mode::OneRank) +
                                "read_restart rested\nneighbor 0.02 bin\n" +
                                linear_material(kStiffness, kStiffness, 0.1, 0.0) +
-                               rod_pair("linear tangential history") + "fix motion all nve/spherocylinder\n" +
+                               rod_pair("linear tangential history") +
+                               "fix motion all nve/spherocylinder\n" +
                                "compute contacts all contact/spherocylinder\n" +
                                exact_dump("dump.again", 1, kFrameColumns) + "run 0\n");
   ASSERT_EQ(folder.run("in.again", {Program::Lmp, GetParam()}).exit_code, 0);
@@ -167,8 +171,8 @@ TEST_P(EndAtRest, BrakedRodsAreNotAtRest)
   EXPECT_EQ(result.last_step, kSteps) << result.output;
   EXPECT_LT(rested(result, 1), 1e-5);
   // Weight at half length L/2 - r from the centre, at 45 degrees, over m g L/2.
-  EXPECT_NEAR(rested(result, 3),
-              leaning.half_cylinder() * std::sqrt(0.5) / (0.5 * leaning.length), 0.05);
+  EXPECT_NEAR(rested(result, 3), leaning.half_cylinder() * std::sqrt(0.5) / (0.5 * leaning.length),
+              0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(, EndAtRest, testing::Values(1, 2),
@@ -180,8 +184,9 @@ TEST(EndAtRestDefault, WindowIsTheFallOfTenDiameters)
   const double window = std::sqrt(20.0 * Rod().diameter / kGravity);
   const double steps = kInterval * (1.0 + std::ceil(window / kDt / kInterval)) + 1.0;
   const DeckFolder folder;
-  EXPECT_EQ(settle(folder, {lying_at(0.3, 0.0)}, "fix rested all rest/spherocylinder 10\n", 1, 0.0, "",
-                   2000).last_step,
+  EXPECT_EQ(settle(folder, {lying_at(0.3, 0.0)}, "fix rested all rest/spherocylinder 10\n", 1, 0.0,
+                   "", 2000)
+                .last_step,
             static_cast<long>(steps));
 }
 
@@ -190,9 +195,10 @@ TEST(EndAtRestDefault, EachRunHasItsWindow)
 {
   const DeckFolder folder;
   const Settling result =
-      settle(folder, {lying_at(0.3, 0.0)}, kFix, 1, 0.0, "run 100\nwrite_restart some\nrun 1000 pre no\nrun 300 every 240 NULL\n"
-                                 "write_restart more\nvariable ended equal f_rested[5]\n"
-                                 "print \"ended: ${ended}\"\n");
+      settle(folder, {lying_at(0.3, 0.0)}, kFix, 1, 0.0,
+             "run 100\nwrite_restart some\nrun 1000 pre no\nrun 300 every 240 NULL\n"
+             "write_restart more\nvariable ended equal f_rested[5]\n"
+             "print \"ended: ${ended}\"\n");
   const long first = kInterval + 200 + 1;   // looks at 10, 20 ... 210
   const long second = first + 100;          // 311
   const long third = second + 9 + 200 + 1;  // looks from 320

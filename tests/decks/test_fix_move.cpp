@@ -68,9 +68,10 @@ std::pair<double, double> errors(const Scene &scene, Mode mode, Expected expecte
     for (size_t k = 0; k < frame.rods.size(); k++) {
       const Rod &rod = frame.rods[k];
       const Motion wanted = expected(scene.rods[k], frame.time);
-      pose = std::max({pose, distance_of_images(rod.position - wanted.position),
-                       norm(rod.axis - wanted.axis)});
-      rates = std::max({rates, norm(rod.velocity - wanted.velocity), norm(rod.omega - wanted.omega)});
+      pose = std::max(
+          {pose, distance_of_images(rod.position - wanted.position), norm(rod.axis - wanted.axis)});
+      rates =
+          std::max({rates, norm(rod.velocity - wanted.velocity), norm(rod.omega - wanted.omega)});
     }
   }
   return {pose, rates};
@@ -99,7 +100,8 @@ TEST_P(FixMove, RotatesCentresAndAxes)
     pose = std::max(pose, error.first);
     rates = std::max(rates, error.second);
   }
-  expect_holds({"fix move rotate: positions and axes (m, 1)", "rotation about the axis", 1e-11}, pose);
+  expect_holds({"fix move rotate: positions and axes (m, 1)", "rotation about the axis", 1e-11},
+               pose);
   expect_holds({"fix move rotate: velocities and spins", "omega x arm, omega", 1e-10}, rates);
 }
 
@@ -126,8 +128,10 @@ TEST_P(FixMove, Wiggles)
                             [&](const Rod &start, double time) {
                               const double w = 2.0 * kPi / 0.17;
                               const Vec3 a = {0.05, 0.0, -0.03};
-                              return Motion{start.position + std::sin(w * time) * a, start.axis,
-                                            w * std::cos(w * time) * a, {0.0, 0.0, 0.0}};
+                              return Motion{start.position + std::sin(w * time) * a,
+                                            start.axis,
+                                            w * std::cos(w * time) * a,
+                                            {0.0, 0.0, 0.0}};
                             });
   expect_holds({"fix move wiggle: positions and axes (m, 1)", "A sin(w t)", 1e-12}, error.first);
   expect_holds({"fix move wiggle: velocities", "A w cos(w t)", 1e-11}, error.second);
@@ -143,7 +147,8 @@ fix go all move variable v_x NULL NULL v_vx v_vy NULL
 fix gravity all gravity 10 vector 0 0 -1
 )");
   const auto error = errors(scene, Mode::OneRank, [&](const Rod &start, double time) {
-    return Motion{start.position + Vec3{0.1 * std::sin(20.0 * time), 0.5 * time, -5.0 * time * time},
+    return Motion{start.position +
+                      Vec3{0.1 * std::sin(20.0 * time), 0.5 * time, -5.0 * time * time},
                   start.axis,
                   {2.0 * std::cos(20.0 * time), 0.5, -10.0 * time},
                   {0.0, 0.0, 0.0}};
@@ -167,10 +172,9 @@ TEST_P(FixMove, PaddleStrikesARod)
   target.position = {0.06, 0.05, 0.0};
   target.axis = {0.0, 0.0, 1.0};
   scene.rods = {paddle, target};
-  scene.physics = contact_commands() +
-                  "group paddle id 1\ngroup free id 2\n"
-                  "fix turn paddle move rotate 0 0 0 0 0 1 1.0\n"
-                  "fix motion free nve/spherocylinder\n";
+  scene.physics = contact_commands() + "group paddle id 1\ngroup free id 2\n"
+                                       "fix turn paddle move rotate 0 0 0 0 0 1 1.0\n"
+                                       "fix motion free nve/spherocylinder\n";
   scene.dt = 2e-5;
   scene.steps = 6000;
   scene.dump_every = GetParam() == Mode::OneRank ? 1 : 1000;
@@ -212,8 +216,8 @@ TEST(DrivenRods, RodsAreFreeAfterUnfix)
     const Rod &now = frames.back().rods[k];
     error = std::max({error, norm(now.axis - axis), norm(now.position - position)});
   }
-  expect_holds({"fix move, then free: axes and positions (1, m)", "precession at abs(L)/I_t", 1e-10},
-               error);
+  expect_holds(
+      {"fix move, then free: axes and positions (1, m)", "precession at abs(L)/I_t", 1e-10}, error);
 }
 
 // A limit on all rods lets the driven ones turn as they are told.
@@ -252,8 +256,8 @@ TEST(DrivenRods, PressOnTheFloor)
     char motion[300];
     snprintf(motion, sizeof(motion),
              "variable dz equal -%.17g*step*dt\nvariable vz equal -%.17g\n"
-             "fix lower all move variable NULL NULL v_dz NULL NULL %s\n", speed, speed,
-             has_velocity ? "v_vz" : "NULL");
+             "fix lower all move variable NULL NULL v_dz NULL NULL %s\n",
+             speed, speed, has_velocity ? "v_vz" : "NULL");
     const DeckFolder folder;
     folder.write("rods.data", data_file(scene));
     folder.write("in.floor",
@@ -284,12 +288,13 @@ TEST(DrivenRods, DrivenRodsPressOnEachOther)
   above.axis = {0.0, 1.0, 0.0};
   above.position.z = 0.0105;
   scene.rods = {below, above};
-  scene.physics = contact_commands() +
-                  "group below id 1\ngroup above id 2\n"
-                  "variable dz equal -1e-3*step/1000\n"
-                  "fix stay below move linear 0 0 0\n"
-                  "fix push above move variable NULL NULL v_dz NULL NULL NULL\n"
-                  "compute push above reduce sum fz\nfix out all ave/time 1 1 1000 c_push file force\n";
+  scene.physics =
+      contact_commands() +
+      "group below id 1\ngroup above id 2\n"
+      "variable dz equal -1e-3*step/1000\n"
+      "fix stay below move linear 0 0 0\n"
+      "fix push above move variable NULL NULL v_dz NULL NULL NULL\n"
+      "compute push above reduce sum fz\nfix out all ave/time 1 1 1000 c_push file force\n";
   scene.dt = 1e-5;
   scene.steps = 1000;
   const DeckFolder folder;
@@ -317,8 +322,8 @@ TEST_P(FixMoveJump, IsRefused)
   folder.write("rods.data", data_file(scene));
   folder.write("in.jump", preamble(scene) + "read_data rods.data\n" + scene.physics +
                               "group some id 1\nfix rest all nve/spherocylinder\nunfix rest\n" +
-                              "group others id 3\n" + GetParam().before + "\ntimestep 1e-4\nrun 20\n" +
-                              GetParam().between + "\nrun 20\n");
+                              "group others id 3\n" + GetParam().before +
+                              "\ntimestep 1e-4\nrun 20\n" + GetParam().between + "\nrun 20\n");
   const Outcome outcome = folder.run("in.jump");
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_NE(outcome.output.find("would jump by"), std::string::npos) << outcome.output;
@@ -326,15 +331,15 @@ TEST_P(FixMoveJump, IsRefused)
 
 INSTANTIATE_TEST_SUITE_P(
     , FixMoveJump,
-    testing::Values(
-        Jump{"LateInTheGroup",
-             "fix hold all freeze\nfix go some move linear 0.1 0 0", "group some id 3"},
-        Jump{"LateInTheGroupOfAVariable",
-             "variable x equal 1e-6*step\nfix hold all freeze\n"
-             "fix go some move variable v_x NULL NULL NULL NULL NULL",
-             "group some id 3"},
-        Jump{"OtherTimeStep", "fix go all move rotate 0 0 0 0 0 1 0.1", "timestep 3e-4"},
-        Jump{"OtherStep", "fix go all move linear 0.5 0 0", "reset_timestep 1000"}),
+    testing::Values(Jump{"LateInTheGroup", "fix hold all freeze\nfix go some move linear 0.1 0 0",
+                         "group some id 3"},
+                    Jump{"LateInTheGroupOfAVariable",
+                         "variable x equal 1e-6*step\nfix hold all freeze\n"
+                         "fix go some move variable v_x NULL NULL NULL NULL NULL",
+                         "group some id 3"},
+                    Jump{"OtherTimeStep", "fix go all move rotate 0 0 0 0 0 1 0.1",
+                         "timestep 3e-4"},
+                    Jump{"OtherStep", "fix go all move linear 0.5 0 0", "reset_timestep 1000"}),
     [](const auto &info) { return std::string(info.param.name); });
 
 DECKS_IN_ALL_MODES(FixMove);

@@ -82,15 +82,12 @@ TEST_P(FreeRotation, FarInAStep)
   for (const Frame &frame : run(scene, GetParam()))
     for (size_t i = 0; i < scene.rods.size(); i++)
       error = std::max(error, norm(frame.rods[i].axis - precessed(scene.rods[i], frame.time)));
-  expect_holds({"Free precession, up to 1.5 rad a step: direction of the axis", "rate abs(L)/I_t",
-                1e-11},
-               error);
+  expect_holds(
+      {"Free precession, up to 1.5 rad a step: direction of the axis", "rate abs(L)/I_t", 1e-11},
+      error);
 }
 
-double across_axis(const Rod &rod)
-{
-  return norm(rod.omega - dot(rod.omega, rod.axis) * rod.axis);
-}
+double across_axis(const Rod &rod) { return norm(rod.omega - dot(rod.omega, rod.axis) * rod.axis); }
 
 // Closed form: each half step, that is explicit Euler in the body frame, multiplies the part across
 // the axis by sqrt(1 + x^2), x = (1 - I_a/I_t) omega_a dt/2. Rounding of 40,000 steps.
@@ -124,7 +121,8 @@ TEST(RotationOption, ExactIsTheDefault)
   for (const bool named : {false, true}) {
     Scene scene = free_rods();
     scene.steps = 2000;
-    scene.physics += named ? "unfix motion\nfix motion all nve/spherocylinder rotation exact\n" : "";
+    scene.physics +=
+        named ? "unfix motion\nfix motion all nve/spherocylinder rotation exact\n" : "";
     ends[named] = run(scene);
   }
   EXPECT_EQ(largest_difference(ends[0], ends[1]), 0.0);

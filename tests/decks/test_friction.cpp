@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Friction of rods on planes: inclines, a sliding rod that comes to roll, a ladder.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "claim.h"
 #include "run_mode.h"
@@ -166,14 +166,13 @@ TEST_P(Friction, LadderAtItsThreshold)
     const int rod = std::min(i, j), wall = std::max(i, j);
     return rod <= 4 && wall == 5 ? times_threshold[rod - 1] * threshold : 0.0;
   };
-  scene.physics = pair_property("kn", 6, kStiffness) + pair_property("kt", 6, kStiffness) +
-                  pair_property("coefficientRestitution", 6, 0.1) +
-                  pair_property("coefficientFriction", 6, friction) +
-                  rod_pair("linear tangential history") +
-                  rod_wall("floor", "linear tangential history", "type 5 zplane 0.0") +
-                  rod_wall("side", "linear tangential history", "type 6 xplane 0.0") +
-                  "fix motion all nve/spherocylinder\n" + gravity_on_slope(0.0) +
-                  eased_start(100.0, 5000);
+  scene.physics =
+      pair_property("kn", 6, kStiffness) + pair_property("kt", 6, kStiffness) +
+      pair_property("coefficientRestitution", 6, 0.1) +
+      pair_property("coefficientFriction", 6, friction) + rod_pair("linear tangential history") +
+      rod_wall("floor", "linear tangential history", "type 5 zplane 0.0") +
+      rod_wall("side", "linear tangential history", "type 6 xplane 0.0") +
+      "fix motion all nve/spherocylinder\n" + gravity_on_slope(0.0) + eased_start(100.0, 5000);
   scene.dt = 1e-5;
   scene.steps = 60000;
   const std::vector<Rod> after = run(scene, GetParam()).back().rods;

@@ -2,10 +2,10 @@
 // Heat between touching rods, and between a rod and a wall, by closed form. LIGGGHTS's law of one
 // contact is 4 k_i k_j/(k_i + k_j) sqrt(A) (T_j - T_i), A the circle in which the two spheres of the
 // rods' radii at the contact meet.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "deck_run.h"
 
@@ -16,13 +16,13 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 struct Bodies {
-  std::string atoms;             // lines of the data file
-  std::string x = "-1 1";        // of the box
+  std::string atoms;       // lines of the data file
+  std::string x = "-1 1";  // of the box
   std::string boundary = "f f f";
   std::string style = "heat/gran/conduction";
-  std::string keywords;          // of the fix
+  std::string keywords;  // of the fix
   std::string tangential = "history";
-  std::string commands;          // before the run: walls, temperatures
+  std::string commands;  // before the run: walls, temperatures
   int steps = 2;
   int ranks = 1;
 };
@@ -33,8 +33,9 @@ Table heated(const Bodies &bodies, const std::string &columns = "")
   const DeckFolder folder;
   int count = 0;
   for (const char c : bodies.atoms) count += c == '\n';
-  folder.write("rods.data", "rods\n\n" + std::to_string(count) + " atoms\n2 atom types\n" + bodies.x +
-                                " xlo xhi\n-1 1 ylo yhi\n-1 1 zlo zhi\n\nAtoms\n\n" + bodies.atoms);
+  folder.write("rods.data", "rods\n\n" + std::to_string(count) + " atoms\n2 atom types\n" +
+                                bodies.x + " xlo xhi\n-1 1 ylo yhi\n-1 1 zlo zhi\n\nAtoms\n\n" +
+                                bodies.atoms);
   folder.write("in.heat",
                "atom_style spherocylinder\natom_modify map array\nboundary " + bodies.boundary + R"(
 newton off
@@ -48,14 +49,16 @@ fix Yo all property/global youngsModulusOriginal peratomtype 8.0e7 8.0e7
 fix nu all property/global poissonsRatio peratomtype 0.45 0.45
 fix rest all property/global coefficientRestitution peratomtypepair 2 0.5 0.5 0.5 0.5
 fix fric all property/global coefficientFriction peratomtypepair 2 0.2 0.2 0.2 0.2
-pair_style gran model hertz tangential )" + bodies.tangential + R"( surface spherocylinder
+pair_style gran model hertz tangential )" +
+                   bodies.tangential + R"( surface spherocylinder
 pair_coeff * *
 timestep 1.0e-9
 fix motion all nve/spherocylinder
 fix k all property/global thermalConductivity peratomtype 100.0 50.0
 fix c all property/global thermalCapacity peratomtype 10.0 10.0
-fix heat all )" + bodies.style + " initial_temperature 300.0 " + bodies.keywords + "\nrun 0\n" +
-                   bodies.commands + "\nset atom 2 property/atom Temp 800.0\n" +
+fix heat all )" + bodies.style +
+                   " initial_temperature 300.0 " + bodies.keywords + "\nrun 0\n" + bodies.commands +
+                   "\nset atom 2 property/atom Temp 800.0\n" +
                    exact_dump("heat.dump", bodies.steps, "id f_heat f_heatFlux[0]" + columns) +
                    "run " + std::to_string(bodies.steps) + "\n");
   Launch launch;
@@ -177,9 +180,8 @@ TEST(Heat, ThroughAWall)
   const double area = kPi * (0.005 * 0.005 - 0.0049 * 0.0049);
   const double one_end = harmonic(100, 100) * std::sqrt(area) * 200.0;
   Bodies bodies;
-  bodies.commands =
-      "fix floor all wall/gran model hertz tangential history surface spherocylinder "
-      "primitive type 1 zplane 0.0 temperature 500.0";
+  bodies.commands = "fix floor all wall/gran model hertz tangential history surface spherocylinder "
+                    "primitive type 1 zplane 0.0 temperature 500.0";
   bodies.atoms = "1 1 0.01 0.1 2700 0 0 0.0499 0 0 1\n2 1 0.01 0.1 2700 0.5 0 0.5 0 0 1\n"
                  "3 1 0.01 0.1 2700 -0.5 0 0.0049 1 0 0\n";
   const Table rods = heated(bodies);
@@ -197,8 +199,7 @@ TEST(Heat, WarmsTheRodsByTheirOwnMass)
   bodies.keywords = "contact_area constant 1.0e8";
   bodies.steps = 1000;
   const Table rods = heated(bodies);
-  const double mass =
-      2700.0 * kPi * (0.005 * 0.005 * 0.09 + 4.0 / 3.0 * 0.005 * 0.005 * 0.005);
+  const double mass = 2700.0 * kPi * (0.005 * 0.005 * 0.09 + 4.0 / 3.0 * 0.005 * 0.005 * 0.005);
   const double conductance = harmonic(100, 100) * 1.0e4;
   const double factor = std::pow(1.0 - 2.0 * conductance * 1e-9 / (mass * 10.0), 1000);
   EXPECT_LT(factor, 0.99);

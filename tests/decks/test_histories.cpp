@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contact histories follow their rods through whatever a deck does to the list of rods between two
 // runs: what is left moves on as if nothing had happened, and nothing is pushed the wrong way.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "scene.h"
 
@@ -42,8 +42,7 @@ std::string settings(const Scene &scene)
                      scene.skin, scene.physics, scene.dt);
 }
 
-constexpr const char *kColumns =
-    "id x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4";
+constexpr const char *kColumns = "id x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4";
 
 // The stack's rods at the end, from the lowest to the highest, 14 numbers each.
 using Rows = std::vector<std::vector<double>>;
@@ -54,8 +53,7 @@ Rows near_rods(const DeckFolder &folder)
   const std::vector<Snapshot> snapshots = read_dump(folder / "dump.end");
   for (const std::vector<double> &row : snapshots.back().atoms.rows)
     if (row[1] < 0.3) rows.push_back({row.begin() + 1, row.end()});
-  std::sort(rows.begin(), rows.end(),
-            [](const auto &a, const auto &b) { return a[2] < b[2]; });
+  std::sort(rows.begin(), rows.end(), [](const auto &a, const auto &b) { return a[2] < b[2]; });
   return rows;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // LIGGGHTS's commands and fixes that set, hold or push rods: displace_atoms, velocity, fix freeze,
 // fix buoyancy.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "scene.h"
 
@@ -51,8 +51,8 @@ TEST_P(DisplaceAtoms, RotateTurnsAxesAndSpins)
   const Vec3 point = {0.1, -0.2, 0.05}, about = normalized({1.0, -2.0, 2.0});
   const double angle = degrees(130.0);
   for (Rod &rod : rods) rod.omega = 5.0 * rod.axis;
-  const Scene scene = scene_of(rods, std::string(kMotion) +
-                                         "displace_atoms all rotate 0.1 -0.2 0.05 1 -2 2 130\n");
+  const Scene scene =
+      scene_of(rods, std::string(kMotion) + "displace_atoms all rotate 0.1 -0.2 0.05 1 -2 2 130\n");
   const std::vector<Frame> frames = run(scene, GetParam());
   for (const Frame &frame : frames)
     for (size_t k = 0; k < rods.size(); k++) {
@@ -87,8 +87,8 @@ TEST(HostCommands, VelocitySetAngularTurnsRods)
 {
   Rod rod;
   rod.axis = {0.6, 0.0, 0.8};
-  const std::vector<Frame> frames = run(
-      scene_of({rod}, std::string(kMotion) + "velocity all setAngular 1e-4 2e-4 -3e-4\n"));
+  const std::vector<Frame> frames =
+      run(scene_of({rod}, std::string(kMotion) + "velocity all setAngular 1e-4 2e-4 -3e-4\n"));
   for (const Frame &frame : frames)
     EXPECT_LT(norm(frame.rods[0].angular_momentum() - Vec3{1e-4, 2e-4, -3e-4}), 1e-16);
 }
@@ -150,9 +150,9 @@ TEST(HostCommands, FreezeStopsRods)
 Table forces_in_water(const std::vector<Rod> &rods, const std::string &more)
 {
   const DeckFolder folder;
-  const Scene scene = scene_of(
-      rods, "fix gravity all gravity 9.81 vector 0 0 -1\n"
-            "fix water all buoyancy level 0.5 density 1000 dim z" + more + "\n" + kMotion);
+  const Scene scene = scene_of(rods, "fix gravity all gravity 9.81 vector 0 0 -1\n"
+                                     "fix water all buoyancy level 0.5 density 1000 dim z" +
+                                         more + "\n" + kMotion);
   folder.write("rods.data", data_file(scene));
   folder.write("in.water", preamble(scene) + "read_data rods.data\n" + scene.physics +
                                exact_dump("dump.water", 1, "id fx fy fz tqx tqy tqz") +
@@ -209,12 +209,11 @@ TEST(HostCommands, BuoyancyMindsItsRegion)
   Scene scene = scene_of(rods, "");
   const DeckFolder folder;
   folder.write("rods.data", data_file(scene));
-  folder.write("in.water",
-               preamble(scene) + "read_data rods.data\n" + scene.physics +
-                   "region left block -0.1 0.1 INF INF INF INF units box\n"
-                   "fix gravity all gravity 9.81 vector 0 0 -1\n"
-                   "fix water all buoyancy level 0.5 density 1000 dim z region left\n" + kMotion +
-                   exact_dump("dump.water", 1, "id fz") + "run 0\n");
+  folder.write("in.water", preamble(scene) + "read_data rods.data\n" + scene.physics +
+                               "region left block -0.1 0.1 INF INF INF INF units box\n"
+                               "fix gravity all gravity 9.81 vector 0 0 -1\n"
+                               "fix water all buoyancy level 0.5 density 1000 dim z region left\n" +
+                               kMotion + exact_dump("dump.water", 1, "id fz") + "run 0\n");
   ASSERT_EQ(folder.run("in.water").exit_code, 0);
   const Table atoms = read_dump(folder / "dump.water").back().atoms;
   const double volume = rods[0].properties().volume;
@@ -233,8 +232,8 @@ TEST(FixExternal, GivesNoForceUntilItIsToldTo)
     rod.velocity = {(k / 20) % 2 ? 30.0 : -30.0, 0.0, 1.0};
     rods.push_back(rod);
   }
-  const Scene scene = scene_of(
-      rods, std::string(kMotion) + "fix outside all external pf/array 1\n");
+  const Scene scene =
+      scene_of(rods, std::string(kMotion) + "fix outside all external pf/array 1\n");
   for (const Mode mode : {Mode::OneRank, Mode::TwoRanks}) {
     const Frame last = run(scene, mode).back();
     for (size_t k = 0; k < rods.size(); k++)
@@ -255,7 +254,8 @@ TEST(DisplaceAtomsOut, OfAFixedBoxIsRefused)
                                  "displace_atoms all move 0 0 " + std::to_string(way * 2.0) +
                                  " units box\nrun 1\n");
       const Outcome outcome = folder.run("in.out");
-      const bool refused = outcome.output.find("9 rods are outside the box now") != std::string::npos;
+      const bool refused =
+          outcome.output.find("9 rods are outside the box now") != std::string::npos;
       EXPECT_EQ(outcome.exit_code != 0, way > 0.5) << outcome.output;
       EXPECT_EQ(refused, way > 0.5);
     }

@@ -3,9 +3,6 @@
 // the plug-in, the `...Style(` lines of its headers, and for what is in neither a list by hand (read in
 // LIGGGHTS's Input::execute_command, Update::set_units, FixInsert and others), whose words must be in
 // the library. Neither side may have a name that the other has not.
-#include <gtest/gtest.h>
-#include <mpi.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,11 +11,14 @@
 #include <set>
 #include <string>
 
+#include <gtest/gtest.h>
+#include <mpi.h>
+
 #include "force.h"
+#include "host/member_access.h"
 #include "input.h"
 #include "lammps.h"
 #include "loader/host_styles.h"
-#include "host/member_access.h"
 #include "modify.h"
 
 using namespace LAMMPS_NS;
@@ -162,11 +162,12 @@ TEST(HostHeaders, OfStylesWithoutAMap)
 TEST(HostHeaders, OfMolecularStyles)
 {
   Names host;
-  for (const auto &[macro, word] : std::map<std::string, std::string>{{"BondStyle", "bond "},
-                                                                     {"AngleStyle", "angle "},
-                                                                     {"DihedralStyle", "dihedral "},
-                                                                     {"ImproperStyle", "improper "},
-                                                                     {"KSpaceStyle", "kspace "}})
+  for (const auto &[macro, word] :
+       std::map<std::string, std::string>{{"BondStyle", "bond "},
+                                          {"AngleStyle", "angle "},
+                                          {"DihedralStyle", "dihedral "},
+                                          {"ImproperStyle", "improper "},
+                                          {"KSpaceStyle", "kspace "}})
     for (const std::string &name : in_headers(macro)) host.insert(word + name);
   expect_same(table(HostKind::Molecular), host, "molecular style");
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The table of LIGGGHTS's styles: each that it refuses ends a deck with rods by the table's own sentence,
 // and the manual page is the table. That the table names every style there is: test_host_names.cpp.
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <ostream>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "deck_run.h"
 #include "loader/host_styles.h"
@@ -21,7 +21,10 @@ using spherocylinder::Verdict;
 
 namespace spherocylinder {
 
-void PrintTo(const HostStyle &row, std::ostream *out) { *out << word_for(row.kind) << " " << row.name; }
+void PrintTo(const HostStyle &row, std::ostream *out)
+{
+  *out << word_for(row.kind) << " " << row.name;
+}
 
 }  // namespace spherocylinder
 
@@ -178,7 +181,8 @@ TEST_P(RefusedTriclinic, InEveryWayToMakeIt)
                           GetParam()),
                  sentence);
   expect_refused(run_deck(good_deck() + "change_box all triclinic\nrun 1\n", GetParam()), sentence);
-  expect_refused(run_deck(good_deck() + "change_box all xy final 0.1\nrun 1\n", GetParam()), sentence);
+  expect_refused(run_deck(good_deck() + "change_box all xy final 0.1\nrun 1\n", GetParam()),
+                 sentence);
 
   const DeckFolder folder;
   std::string tilted = kData;
@@ -278,9 +282,10 @@ TEST(NoPairStyle, IsSaid)
   deck.erase(pair, deck.find("fix motion") - pair);
   const Outcome outcome = run_deck(deck);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_NE(outcome.output.find("WARNING: Atom style spherocylinder: there is no pair_style, rods pass "
-                                "through each other"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.output.find("WARNING: Atom style spherocylinder: there is no pair_style, rods pass "
+                          "through each other"),
+      std::string::npos)
       << outcome.output;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // LIGGGHTS's styles that the table calls right or different: each in a deck with rods on two ranks,
 // which must run to its end; some by closed form.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <ostream>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "deck_run.h"
 #include "loader/host_styles.h"
@@ -37,7 +37,8 @@ endsolid plane
 std::string data(const std::string &rods)
 {
   return "two rods\n\n2 atoms\n1 atom types\n-0.5 0.5 xlo xhi\n-0.5 0.5 ylo yhi\n-0.5 0.5 zlo zhi\n\n"
-         "Atoms\n\n" + rods;
+         "Atoms\n\n" +
+         rods;
 }
 
 const std::string kTouching =
@@ -52,7 +53,8 @@ newton off
 communicate single vel yes
 units si
 read_data rods.data
-)" + after_rods + R"(
+)" + after_rods +
+         R"(
 neighbor 0.02 bin
 neigh_modify delay 0
 region all_of_it block -1 1 -1 1 -1 1 units box
@@ -66,7 +68,8 @@ fix floor all wall/gran model linear tangential history surface spherocylinder &
   primitive type 1 zplane -0.45
 fix motion all nve/spherocylinder
 timestep 1e-5
-)" + commands + "\nrun " + std::to_string(steps) + "\n";
+)" + commands +
+         "\nrun " + std::to_string(steps) + "\n";
 }
 
 struct Use {
@@ -94,13 +97,15 @@ const Use kUses[] = {
     {kFix, "mesh/surface", "fix t all mesh/surface file plane.stl type 1"},
     {kFix, "mesh/surface/planar", "fix t all mesh/surface/planar file plane.stl type 1"},
     {kFix, "momentum", "fix t all momentum 1 linear 1 1 1 angular"},
-    {kFix, "move/mesh", "fix m all mesh/surface file plane.stl type 1\n"
-                        "fix t all move/mesh mesh m linear 0 0 1"},
+    {kFix, "move/mesh",
+     "fix m all mesh/surface file plane.stl type 1\n"
+     "fix t all move/mesh mesh m linear 0 0 1"},
     {kFix, "planeforce", "fix t all planeforce 0 0 1"},
     {kFix, "print", "fix t all print 5 hello"},
     {kFix, "property/atom", "fix t all property/atom pp scalar yes yes no 1.0"},
-    {kFix, "property/atom/tracer", "fix t all property/atom/tracer region_mark all_of_it mark_step 1 "
-                                   "marker_style dirac check_mark_every 1"},
+    {kFix, "property/atom/tracer",
+     "fix t all property/atom/tracer region_mark all_of_it mark_step 1 "
+     "marker_style dirac check_mark_every 1"},
     {kFix, "setforce", "fix t all setforce 0 0 1"},
     {kFix, "spring", "fix t all spring tether 1 0 0 0 0"},
     {kFix, "spring/self", "fix t all spring/self 1"},
@@ -122,11 +127,14 @@ const Use kUses[] = {
     {kCompute, "pe/atom", "compute t all pe/atom\ndump d all custom 5 file id c_t"},
     {kCompute, "pressure", "compute t all pressure thermo_temp\nfix a all ave/time 1 1 5 c_t"},
     {kCompute, "rdf", "compute t all rdf 10\nfix a all ave/time 1 1 5 c_t mode vector"},
-    {kCompute, "reduce", "compute t all reduce sum vx vy\nfix a all ave/time 1 1 5 c_t mode vector"},
-    {kCompute, "reduce/region", "compute t all reduce/region all_of_it sum vx\n"
-                                "fix a all ave/time 1 1 5 c_t"},
-    {kCompute, "slice", "compute x all reduce sum vx vy vz\ncompute t all slice 1 3 1 c_x\n"
-                        "fix a all ave/time 1 1 5 c_t mode vector"},
+    {kCompute, "reduce",
+     "compute t all reduce sum vx vy\nfix a all ave/time 1 1 5 c_t mode vector"},
+    {kCompute, "reduce/region",
+     "compute t all reduce/region all_of_it sum vx\n"
+     "fix a all ave/time 1 1 5 c_t"},
+    {kCompute, "slice",
+     "compute x all reduce sum vx vy vz\ncompute t all slice 1 3 1 c_x\n"
+     "fix a all ave/time 1 1 5 c_t mode vector"},
     {kCompute, "stress/atom", "compute t all stress/atom\ndump d all custom 5 file id c_t[1]"},
     {kCompute, "temp", "compute t all temp\nfix a all ave/time 1 1 5 c_t"},
     {kCompute, "wall/gran/local", "compute t all wall/gran/local\ndump d all local 5 file c_t[1]"},
@@ -134,11 +142,14 @@ const Use kUses[] = {
     {kDump, "custom/vtk", "dump t all custom/vtk 5 file*.vtk id x y z quat1"},
     {kDump, "decomposition/vtk", "dump t all decomposition/vtk 5 file*.vtk"},
     {kDump, "local", "compute p all pair/gran/local\ndump t all local 5 file.* c_p[1]"},
-    {kDump, "local/gran/vtk", "compute p all pair/gran/local\ndump t all local/gran/vtk 5 file*.vtk p"},
-    {kDump, "mesh/stl", "fix m all mesh/surface file plane.stl type 1\n"
-                        "dump t all mesh/stl 5 file*.stl"},
-    {kDump, "mesh/vtk", "fix m all mesh/surface file plane.stl type 1\n"
-                        "dump t all mesh/vtk 5 file*.vtk stress"},
+    {kDump, "local/gran/vtk",
+     "compute p all pair/gran/local\ndump t all local/gran/vtk 5 file*.vtk p"},
+    {kDump, "mesh/stl",
+     "fix m all mesh/surface file plane.stl type 1\n"
+     "dump t all mesh/stl 5 file*.stl"},
+    {kDump, "mesh/vtk",
+     "fix m all mesh/surface file plane.stl type 1\n"
+     "dump t all mesh/vtk 5 file*.vtk stress"},
     {kDump, "xyz", "dump t all xyz 5 file.xyz"},
 };
 
@@ -181,7 +192,8 @@ TEST(HostStyleValues, MassflowCountsRodsByTheirMass)
   folder.write("in.deck",
                deck("fix m all mesh/surface file plane.stl type 1\n"
                     "fix t all massflow/mesh mesh m count once vec_side 0 0 1\n"
-                    "thermo_style custom step f_t[1] f_t[2]\nthermo_modify format float %.12g", 3000));
+                    "thermo_style custom step f_t[1] f_t[2]\nthermo_modify format float %.12g",
+                    3000));
   const Outcome outcome = folder.run("in.deck");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const Table thermo = read_thermo(outcome.output);
@@ -196,9 +208,10 @@ TEST(HostStyleValues, ReplicateCopiesRods)
   for (const int ranks : {1, 2}) {
     const DeckFolder folder;
     folder.write("rods.data", data(kTouching));
-    folder.write("in.deck",
-                 deck(exact_dump("end.dump", 1, "id x y z omegay omegaz shapez quat1 quat2 quat3 quat4"), 0,
-                      "p p f", "replicate 2 2 1 offset 1.0 1.0 1.0 shift 0 0 0"));
+    folder.write(
+        "in.deck",
+        deck(exact_dump("end.dump", 1, "id x y z omegay omegaz shapez quat1 quat2 quat3 quat4"), 0,
+             "p p f", "replicate 2 2 1 offset 1.0 1.0 1.0 shift 0 0 0"));
     Launch launch;
     launch.ranks = ranks;
     const Outcome outcome = folder.run("in.deck", launch);
@@ -208,7 +221,8 @@ TEST(HostStyleValues, ReplicateCopiesRods)
     for (size_t row = 2; row < 8; row++) {
       const size_t original = row % 2;
       EXPECT_NEAR(rods.at(row, "z"), rods.at(original, "z"), 1e-12);
-      EXPECT_NEAR(std::fabs(rods.at(row, "x") - rods.at(original, "x")), row < 4 ? 0.0 : 1.0, 1e-12);
+      EXPECT_NEAR(std::fabs(rods.at(row, "x") - rods.at(original, "x")), row < 4 ? 0.0 : 1.0,
+                  1e-12);
       EXPECT_NEAR(std::fabs(rods.at(row, "y") - rods.at(original, "y")), row % 4 < 2 ? 0.0 : 1.0,
                   1e-12);
       for (const char *column : {"omegay", "omegaz", "shapez", "quat1", "quat2", "quat3", "quat4"})
@@ -231,7 +245,8 @@ TEST(HostStyleValues, RefusedInOtherWords)
     const Outcome outcome = folder.run("in.deck");
     EXPECT_NE(outcome.exit_code, 0) << commands;
     EXPECT_NE(outcome.output.find(" with atom_style spherocylinder: "), std::string::npos)
-        << commands << "\n" << outcome.output;
+        << commands << "\n"
+        << outcome.output;
   }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // insert/pack, insert/rate/region and insert/stream with rods: how many, how fast, how they lie and turn.
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "core/rotation.h"
 #include "scene.h"
@@ -69,8 +69,8 @@ constexpr const char *kColumns =
 
 Vec3 axis_of_row(const Table &rods, size_t row)
 {
-  return spherocylinder::axis_of({rods.at(row, "quat1"), rods.at(row, "quat2"),
-                                  rods.at(row, "quat3"), rods.at(row, "quat4")});
+  return spherocylinder::axis_of(
+      {rods.at(row, "quat1"), rods.at(row, "quat2"), rods.at(row, "quat3"), rods.at(row, "quat4")});
 }
 
 class Insertions : public testing::TestWithParam<int> {};
@@ -96,8 +96,9 @@ fix pour all insert/stream seed 86028121 distributiontemplate rods nparticles 2 
     EXPECT_NEAR(rods.at(row, "angmomx"), 40.0 * inertia, 1e-12 * inertia);
     // Released at a step's end: to within one step's angle, 40 * 2e-5.
     const double angle = 40.0 * (0.2 - rods.at(row, "z")) / 1.0;
-    EXPECT_NEAR(std::fabs(dot(axis_of_row(rods, row), Vec3{0.0, -std::sin(angle), std::cos(angle)})), 1.0,
-                1e-5);
+    EXPECT_NEAR(
+        std::fabs(dot(axis_of_row(rods, row), Vec3{0.0, -std::sin(angle), std::cos(angle)})), 1.0,
+        1e-5);
   }
   // Before their release they neither turn nor are turned.
   for (size_t row = 0; row < snapshots[1].atoms.rows.size(); row++)
@@ -145,7 +146,8 @@ TEST_P(Insertions, VelocityAndSpinAreGiven)
 TEST_P(Insertions, ARegionIsKeptAtItsVolumeFraction)
 {
   const DeckFolder folder;
-  const Outcome outcome = run_deck(folder, R"(region feed block -0.15 0.15 -0.15 0.15 -0.1 0.1 units box
+  const Outcome outcome =
+      run_deck(folder, R"(region feed block -0.15 0.15 -0.15 0.15 -0.1 0.1 units box
 fix pour all insert/pack seed 86028121 distributiontemplate rods insert_every 50 maxattempt 500 &
   overlapcheck yes orientation random all_in no vel constant 0.0 0.0 -20.0 region feed &
   volumefraction_region 0.01
@@ -154,7 +156,7 @@ dump d all custom 1 dump.rods id z
 run 51
 run 250
 )",
-                                   GetParam());
+               GetParam());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const double volume = spherocylinder::mass_properties(0.01, 0.03, 1.0).volume;
   const double wanted = 0.01 * 0.3 * 0.3 * 0.2 / volume;
@@ -174,16 +176,17 @@ run 250
 TEST_P(Insertions, ARegionIsKeptAtItsMassAndNumber)
 {
   const auto properties = spherocylinder::mass_properties(0.01, 0.03, 2700.0);
-  for (const std::string &amount :
-       {fmt::format("mass_in_region {}", 40.2 * properties.mass), std::string("particles_in_region 40")}) {
+  for (const std::string &amount : {fmt::format("mass_in_region {}", 40.2 * properties.mass),
+                                    std::string("particles_in_region 40")}) {
     const DeckFolder folder;
-    const Outcome outcome = run_deck(
-        folder, "region feed block -0.15 0.15 -0.15 0.15 -0.1 0.1 units box\n"
-                "fix pour all insert/pack seed 86028121 distributiontemplate rods insert_every 50 "
-                "maxattempt 500 overlapcheck yes orientation random all_in no "
-                "vel constant 0.0 0.0 -20.0 region feed " +
-                    amount + "\ndump d all custom 1 dump.rods id z\nrun 201\n",
-        GetParam());
+    const Outcome outcome =
+        run_deck(folder,
+                 "region feed block -0.15 0.15 -0.15 0.15 -0.1 0.1 units box\n"
+                 "fix pour all insert/pack seed 86028121 distributiontemplate rods insert_every 50 "
+                 "maxattempt 500 overlapcheck yes orientation random all_in no "
+                 "vel constant 0.0 0.0 -20.0 region feed " +
+                     amount + "\ndump d all custom 1 dump.rods id z\nrun 201\n",
+                 GetParam());
     ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
     for (const Snapshot &snapshot : read_dump(folder / "dump.rods")) {
       if (snapshot.step % 50 != 1) continue;
@@ -199,13 +202,13 @@ TEST_P(Insertions, ARegionIsKeptAtItsMassAndNumber)
 TEST_P(Insertions, WholeNumbersMayBeWrittenAsOthers)
 {
   const DeckFolder folder;
-  const Outcome outcome =
-      run_deck(folder,
-               "region feed block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box\nfix pour all insert/pack seed "
-               "86028121 distributiontemplate rods insert_every once overlapcheck yes all_in no "
-               "maxattempt 1.0e2 region feed particles_in_region 2e1\n" +
-                   exact_dump("dump.rods", 1, kColumns) + "run 1\n",
-               GetParam());
+  const Outcome outcome = run_deck(
+      folder,
+      "region feed block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box\nfix pour all insert/pack seed "
+      "86028121 distributiontemplate rods insert_every once overlapcheck yes all_in no "
+      "maxattempt 1.0e2 region feed particles_in_region 2e1\n" +
+          exact_dump("dump.rods", 1, kColumns) + "run 1\n",
+      GetParam());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_EQ(read_dump(folder / "dump.rods").back().atoms.rows.size(), 20u);
 }
@@ -225,19 +228,20 @@ run 1
   const DeckFolder folder;
   const Outcome outcome = run_deck(folder, pack, 2, 0.07);
   EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_NE(outcome.output.find("of 100 rods (no centre was tried in 8"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("of 100 rods (no centre was tried in 8"), std::string::npos)
+      << outcome.output;
   EXPECT_NE(outcome.output.find("fewer processors"), std::string::npos);
 }
 
 std::string error_of(const std::string &command, int ranks = 1)
 {
   const DeckFolder folder;
-  const Outcome outcome =
-      run_deck(folder,
-               "region feed block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box\nfix pour all insert/pack seed "
-               "86028121 distributiontemplate rods insert_every once overlapcheck yes all_in no " +
-                   command + "\nrun 1\n",
-               ranks);
+  const Outcome outcome = run_deck(
+      folder,
+      "region feed block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box\nfix pour all insert/pack seed "
+      "86028121 distributiontemplate rods insert_every once overlapcheck yes all_in no " +
+          command + "\nrun 1\n",
+      ranks);
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_LT(outcome.exit_code, 128);
   const size_t at = outcome.output.find("ERROR");
@@ -253,10 +257,12 @@ TEST(InsertionCommand, RefusesWhatItCannotMean)
             std::string::npos);
   EXPECT_NE(error_of("orientation constant 0.7 0.7 0 0.7" + rest).find("must have length 1"),
             std::string::npos);
-  EXPECT_NE(error_of("region feed particles_in_region many").find("particles_in_region must be a number"),
-            std::string::npos);
-  EXPECT_NE(error_of("region feed particles_in_region 2.5").find("must be a whole number (got 2.5)"),
-            std::string::npos);
+  EXPECT_NE(
+      error_of("region feed particles_in_region many").find("particles_in_region must be a number"),
+      std::string::npos);
+  EXPECT_NE(
+      error_of("region feed particles_in_region 2.5").find("must be a whole number (got 2.5)"),
+      std::string::npos);
   EXPECT_NE(error_of("compress_tags yes" + rest).find("compress_tags yes"), std::string::npos);
   EXPECT_NE(error_of("check_dist_from_subdomain_border no" + rest, 2).find("needs one rank"),
             std::string::npos);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Each rod is moved by exactly one fix that turns its axis, or frozen; everything else is refused in one
 // sentence.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <ostream>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "scene.h"
 
@@ -59,8 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"NveOnAPart", "fix m1 a nve/spherocylinder\nfix m2 b nve\n", "ix nve (id m2)"},
         Wrong{"NveAlone", "fix m2 all nve\n", "ix nve (id m2)"},
-        Wrong{"NveSphere", "fix m1 a nve/spherocylinder\nfix m2 b nve/sphere\n",
-              "ix nve/sphere"},
+        Wrong{"NveSphere", "fix m1 a nve/spherocylinder\nfix m2 b nve/sphere\n", "ix nve/sphere"},
         Wrong{"NveLimit", "fix m1 a nve/spherocylinder\nfix m2 b nve/limit radius_ratio 0.1\n",
               "ix nve/limit"},
         Wrong{"NveNoforce", "fix m1 a nve/spherocylinder\nfix m2 b nve/noforce\n",
@@ -107,7 +106,8 @@ create_atoms 1 single 0.0 -0.5 0.0 units box
 set atom 3 diameter 0.01 length 0.1 density 2700
 displace_atoms all move 0.0 0.1 0.0 units box
 group old id 3
-)"), ranks);
+)"),
+                                       ranks);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   }
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What must not change the motion: the frame, the rods' numbers, the sign of an axis, the place in
 // a periodic box, the number of ranks. And what a mixture of rods and spheres must keep.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "core/rotation.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix limit/omega on free rods: what it caps, what it leaves, what it says it removed.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "scene.h"
@@ -37,12 +37,13 @@ Limited run_limited(const std::string &options, int ranks = 1, double limit = kL
   }
   const DeckFolder folder;
   folder.write("rods.data", data_file(scene));
-  folder.write("in.limit",
-               preamble(scene, ranks > 1 ? Mode::TwoRanks : Mode::OneRank) + R"(read_data rods.data
+  folder.write(
+      "in.limit",
+      preamble(scene, ranks > 1 ? Mode::TwoRanks : Mode::OneRank) + R"(read_data rods.data
 neighbor 0.02 bin
 )" + linear_material(1e5, 1e5, 0.5, 0.2) +
-                   rod_pair("linear tangential history") +
-                   fmt::format(R"(fix motion all nve/spherocylinder
+          rod_pair("linear tangential history") +
+          fmt::format(R"(fix motion all nve/spherocylinder
 fix limit all limit/omega {0} {1}
 compute contacts all contact/spherocylinder
 compute energy all erotate/spherocylinder
@@ -52,11 +53,11 @@ thermo_modify norm no format float %.17g
 thermo {4}
 {2}run {3}
 )",
-                               limit, options,
-                               exact_dump("dump.rods", steps, kFrameColumns) +
-                                   "dump limited all custom 10 dump.limited id f_limit[1] f_limit[2]\n"
-                                   "dump_modify limited sort id format \"%d %.17g %.17g\"\n",
-                               steps, steps / 10));
+                      limit, options,
+                      exact_dump("dump.rods", steps, kFrameColumns) +
+                          "dump limited all custom 10 dump.limited id f_limit[1] f_limit[2]\n"
+                          "dump_modify limited sort id format \"%d %.17g %.17g\"\n",
+                      steps, steps / 10));
   const Outcome outcome = folder.run("in.limit", {Program::Lmp, ranks});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   return {scene.rods, read_frames(folder / "dump.rods", scene).back().rods,

@@ -2,14 +2,14 @@
 // compute pair/gran/local and wall/gran/local of rods: each contact's ids, forces, point, normal
 // and overlap, against closed forms, against the forces that the rods feel, against the distance
 // by search and, for rods as long as thick, against LIGGGHTS's own compute.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
 #include <set>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "scene.h"
@@ -50,16 +50,16 @@ std::vector<Contact> contacts_of(const Snapshot &snapshot)
   for (const std::vector<double> &row : snapshot.atoms.rows) {
     EXPECT_EQ(row.size(), static_cast<size_t>(kColumns));
     const auto vector = [&](int k) { return Vec3{row[k], row[k + 1], row[k + 2]}; };
-    contacts.push_back({{static_cast<int>(row[0]), static_cast<int>(row[1]),
-                         static_cast<int>(row[2])},
-                        vector(3),
-                        vector(6),
-                        vector(9),
-                        vector(12),
-                        vector(15),
-                        row[18],
-                        vector(19),
-                        vector(22)});
+    contacts.push_back(
+        {{static_cast<int>(row[0]), static_cast<int>(row[1]), static_cast<int>(row[2])},
+         vector(3),
+         vector(6),
+         vector(9),
+         vector(12),
+         vector(15),
+         row[18],
+         vector(19),
+         vector(22)});
   }
   return contacts;
 }
@@ -85,13 +85,15 @@ Result look(const Scene &scene, Mode mode, const std::string &thermo_columns,
   if (has_walls) deck += local_output("walls", "wall/gran/local", every);
   deck += fmt::format("timestep {}\n", scene.dt) + thermo_columns +
           "thermo_modify norm no lost error format float %.17g\n" +
-          exact_dump("dump.rods", every,
-                     std::string(kFrameColumns) + " fx fy fz tqx tqy tqz") +
+          exact_dump("dump.rods", every, std::string(kFrameColumns) + " fx fy fz tqx tqy tqz") +
           runs;
   folder.write("in.contacts", deck);
   const Outcome outcome = folder.run("in.contacts", {Program::Lmp, mode == Mode::TwoRanks ? 2 : 1});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  Result result{read_frames(folder / "dump.rods", scene), read_dump(folder / "dump.rods"), {}, {},
+  Result result{read_frames(folder / "dump.rods", scene),
+                read_dump(folder / "dump.rods"),
+                {},
+                {},
                 read_thermo(outcome.output)};
   for (const Snapshot &snapshot : read_dump(folder / "dump.pairs"))
     result.pairs.push_back(contacts_of(snapshot));
@@ -149,27 +151,23 @@ TEST_P(LocalContacts, RestingOnAFloorAndInATrough)
     const Vec3 to_axis{-end.x, 0.0, R - end.z};
     const Vec3 normal = on_floor ? Vec3{0.0, 0.0, 1.0} : normalized(to_axis);
     const double force = 0.5 * rod.mass() * kGravity / normal.z;
-    const double overlap =
-        on_floor ? rod.radius() - end.z : norm(to_axis) - (R - rod.radius());
+    const double overlap = on_floor ? rod.radius() - end.z : norm(to_axis) - (R - rod.radius());
     force_error = std::max(force_error, norm(contact.force - force * normal) / force);
-    overlap_error =
-        std::max({overlap_error, std::fabs(contact.overlap * kStiffness / force - 1.0),
-                  std::fabs(contact.overlap - overlap) * kStiffness / force});
+    overlap_error = std::max({overlap_error, std::fabs(contact.overlap * kStiffness / force - 1.0),
+                              std::fabs(contact.overlap - overlap) * kStiffness / force});
     normal_error = std::max(normal_error, norm(contact.normal - normal));
-    point_error = std::max(
-        point_error,
-        norm(contact.point - (end - (rod.radius() - 0.5 * overlap) * normal)) / rod.diameter);
+    point_error = std::max(point_error,
+                           norm(contact.point - (end - (rod.radius() - 0.5 * overlap) * normal)) /
+                               rod.diameter);
   }
   EXPECT_EQ(ends.size(), 4u);
   // What is left of the settling; the overlap is a difference of numbers 10^4 times as large.
   expect_holds({"Wall rows at rest: force, relative", "m g/(2 cos(phi))", 1e-8}, force_error);
-  expect_holds({"Wall rows at rest: overlap, relative", "m g/(2 k cos(phi))", 1e-8},
-               overlap_error);
-  expect_holds({"Wall rows at rest: normal", "towards the trough's axis, up", 1e-12},
-               normal_error);
-  expect_holds({"Wall rows at rest: point / diameter", "below the end, midway in the overlap",
-                1e-12},
-               point_error);
+  expect_holds({"Wall rows at rest: overlap, relative", "m g/(2 k cos(phi))", 1e-8}, overlap_error);
+  expect_holds({"Wall rows at rest: normal", "towards the trough's axis, up", 1e-12}, normal_error);
+  expect_holds(
+      {"Wall rows at rest: point / diameter", "below the end, midway in the overlap", 1e-12},
+      point_error);
 }
 
 // On two fixed rods across it at -x1 and +x2: m g x2/(x1+x2) and m g x1/(x1+x2), at the supports.
@@ -237,9 +235,9 @@ TEST_P(LocalContacts, CrossedRodsPressed)
   const double force = kStiffness * overlap;
   EXPECT_EQ(c.ids[0] + c.ids[1], 3);
   // Round-off of an overlap 50 times smaller than the rods.
-  expect_holds({"Crossed rods pressed: force and overlap, relative", "k delta", 1e-12},
-               std::max(norm(c.force - force * normal) / force,
-                        std::fabs(c.overlap / overlap - 1.0)));
+  expect_holds(
+      {"Crossed rods pressed: force and overlap, relative", "k delta", 1e-12},
+      std::max(norm(c.force - force * normal) / force, std::fabs(c.overlap / overlap - 1.0)));
   expect_holds({"Crossed rods pressed: torque / (force x diameter)", "arm x F", 1e-12},
                norm(c.torque - cross(point - i.position, force * normal)) / (force * a.diameter));
   expect_holds({"Crossed rods pressed: normal", "common perpendicular", 1e-14},
@@ -325,23 +323,21 @@ void expect_rows_sum_to_loads(const Scene &scene, const Result &result, size_t f
   }
   const auto act = [&](int id, const Vec3 &force, const Vec3 &point) {
     forces[id - 1] = forces[id - 1] + force;
-    torques[id - 1] =
-        torques[id - 1] + cross(way(scene, point, rods[id - 1].position), force);
+    torques[id - 1] = torques[id - 1] + cross(way(scene, point, rods[id - 1].position), force);
   };
   double own_torque = 0.0;
   for (const Contact &c : result.pairs[frame]) {
     act(c.ids[0], c.force, c.point);
     act(c.ids[1], -c.force, c.point);
-    const Vec3 couple =
-        c.torque - cross(way(scene, c.point, rods[c.ids[0] - 1].position), c.force);
+    const Vec3 couple = c.torque - cross(way(scene, c.point, rods[c.ids[0] - 1].position), c.force);
     torques[c.ids[0] - 1] = torques[c.ids[0] - 1] + couple;
     torques[c.ids[1] - 1] = torques[c.ids[1] - 1] - couple;
     if (closest) own_torque = std::max(own_torque, norm(couple));
   }
   for (const Contact &c : result.walls[frame]) {
     act(c.ids[2], c.force, c.point);
-    own_torque = std::max(
-        own_torque, norm(c.torque - cross(c.point - rods[c.ids[2] - 1].position, c.force)));
+    own_torque = std::max(own_torque,
+                          norm(c.torque - cross(c.point - rods[c.ids[2] - 1].position, c.force)));
   }
   double force_error = 0.0, torque_error = 0.0, largest_force = 0.0, largest_torque = 0.0;
   const Table &loads = result.loads[frame].atoms;
@@ -358,9 +354,9 @@ void expect_rows_sum_to_loads(const Scene &scene, const Result &result, size_t f
   ASSERT_GT(largest_torque, 0.0);
   expect_holds({name + ": sum of rows' forces, relative", "force each rod felt", 1e-12},
                force_error / largest_force);
-  expect_holds({name + ": sum of (point - centre) x force, relative", "torque each rod felt",
-                1e-12},
-               std::max(torque_error, own_torque) / largest_torque);
+  expect_holds(
+      {name + ": sum of (point - centre) x force, relative", "torque each rod felt", 1e-12},
+      std::max(torque_error, own_torque) / largest_torque);
 }
 
 void expect_parts_belong_together(const std::vector<Contact> &contacts)
@@ -585,9 +581,9 @@ compute rows all pair/gran/local pos vel id force force_normal force_tangential 
         error = std::max(error, difference[column] / largest[scale_of(column)]);
   }
   // Round-off over 100 steps of contact.
-  expect_holds({"Rows of rods with length = diameter, each column, relative", "stock LIGGGHTS",
-                1e-10},
-               error);
+  expect_holds(
+      {"Rows of rods with length = diameter, each column, relative", "stock LIGGGHTS", 1e-10},
+      error);
 }
 
 // Each end's own tangential spring, without damping: force_tangential = -kt history. The rods turn
@@ -607,12 +603,11 @@ TEST(LocalContactsHistory, EachEndOfARodHasItsOwn)
                   rod_wall("floor", kStick, "type 1 zplane 0.0") + kMove + kWeight;
   const DeckFolder folder;
   folder.write("rods.data", data_file(scene));
-  folder.write("in.ends", preamble(scene) + "read_data rods.data\nneighbor 0.02 bin\n" +
-                              scene.physics +
-                              "group second id 2\n"
-                              "compute ends second wall/gran/local id force_tangential history\n" +
-                              exact_local_dump("dump.ends", 100, "ends", 9) +
-                              "timestep 1e-6\nrun 100\n");
+  folder.write("in.ends",
+               preamble(scene) + "read_data rods.data\nneighbor 0.02 bin\n" + scene.physics +
+                   "group second id 2\n"
+                   "compute ends second wall/gran/local id force_tangential history\n" +
+                   exact_local_dump("dump.ends", 100, "ends", 9) + "timestep 1e-6\nrun 100\n");
   const Outcome outcome = folder.run("in.ends");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const std::vector<std::vector<double>> rows = read_dump(folder / "dump.ends").back().atoms.rows;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Walls that move, and rods that are moved into walls by something else than their velocity.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <ostream>
 #include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "scene.h"
 
@@ -19,8 +19,9 @@ constexpr const char *kModels = "linear tangential history";
 std::string start_of(const Scene &scene, int ranks)
 {
   std::string start = preamble(scene);
-  start.insert(start.find("newton"),
-               ranks == 2 ? "processors 2 1 1\n" : ranks == 4 ? "processors 2 2 1\n" : "");
+  start.insert(start.find("newton"), ranks == 2   ? "processors 2 1 1\n"
+                                     : ranks == 4 ? "processors 2 2 1\n"
+                                                  : "");
   return start + "read_data rods.data\nneighbor 0.02 bin\nneigh_modify delay 0\n" +
          linear_material(kStiffness, 5.7e3, 0.5, 0.2) + rod_pair(kModels) + "timestep 2e-5\n";
 }
@@ -66,12 +67,11 @@ TEST(WallsOfMovedRods, FeelThem)
   for (int axis = 0; axis < 3; axis++)
     for (const char *move : kMoves)
       for (const int ranks : axis == 2 ? std::vector<int>{1, 2} : std::vector<int>{1}) {
-        const char *const three[3][3] = {
-            {"v_dz NULL", "NULL NULL NULL", "-0.016 0 0"},
-            {"NULL v_dz", "NULL NULL NULL", "0 -0.016 0"},
-            {"NULL NULL v_dz", "NULL NULL", "0 0 -0.016"}};
-        const std::string lower = fmt::format(
-            fmt::runtime(move), three[axis][0], three[axis][1], three[axis][2]);
+        const char *const three[3][3] = {{"v_dz NULL", "NULL NULL NULL", "-0.016 0 0"},
+                                         {"NULL v_dz", "NULL NULL NULL", "0 -0.016 0"},
+                                         {"NULL NULL v_dz", "NULL NULL", "0 0 -0.016"}};
+        const std::string lower =
+            fmt::format(fmt::runtime(move), three[axis][0], three[axis][1], three[axis][2]);
         const DeckFolder folder;
         const Outcome outcome = run_deck(
             folder, rod_over_a_wall(axis, 0.02),
@@ -84,8 +84,7 @@ TEST(WallsOfMovedRods, FeelThem)
             ranks);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
         const double force = read_thermo(outcome.output).rows.back()[1];
-        EXPECT_NEAR(force, 2.0 * kStiffness * 1e-3, 1e-6)
-            << lower << ranks;
+        EXPECT_NEAR(force, 2.0 * kStiffness * 1e-3, 1e-6) << lower << ranks;
       }
 }
 
@@ -114,14 +113,15 @@ TEST(MovingPlanes, PushByTheirPlaceAndTheirSpeed)
         const DeckFolder folder;
         const Outcome outcome = run_deck(
             folder, scene,
-            fmt::format("group held id 1\ngroup free id 2\nvariable place equal {}+{}*step*dt\n"
-                        "fix hold held move linear 0.0 0.0 0.0\nfix motion free nve/spherocylinder\n"
-                        "fix lid all wall/gran model {} surface spherocylinder primitive type 1 "
-                        "{}plane v_place store_force yes\n"
-                        "compute f all reduce sum f_force_lid[{}]\n"
-                        "thermo_style custom step c_f\nthermo 100\nthermo_modify norm no\n"
-                        "run 400\nrun 600\n",
-                        first, speed, kModels, "xyz"[axis], axis + 1),
+            fmt::format(
+                "group held id 1\ngroup free id 2\nvariable place equal {}+{}*step*dt\n"
+                "fix hold held move linear 0.0 0.0 0.0\nfix motion free nve/spherocylinder\n"
+                "fix lid all wall/gran model {} surface spherocylinder primitive type 1 "
+                "{}plane v_place store_force yes\n"
+                "compute f all reduce sum f_force_lid[{}]\n"
+                "thermo_style custom step c_f\nthermo 100\nthermo_modify norm no\n"
+                "run 400\nrun 600\n",
+                first, speed, kModels, "xyz"[axis], axis + 1),
             ranks);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
         const double depth = 0.005 - std::fabs(last);
@@ -177,11 +177,11 @@ TEST(MovingPlanes, AreAsRodsThatMove)
     scene.rods[0].velocity = {0.1, 0.05, moving ? 0.0 : -speed};
     scene.rods[0].omega = {0.0, 1.0, 0.0};
     scene.rods[1].velocity = {0.0, 0.0, moving ? speed : 0.0};
-    scene.physics = linear_material(kStiffness, 5.7e3, 0.5, 0.2) + rod_pair(kModels) +
-                    fmt::format("variable place equal {}*step*dt\n", speed) +
-                    rod_wall("floor", kModels,
-                             moving ? "type 1 zplane v_place" : "type 1 zplane 0.0") +
-                    "fix motion all nve/spherocylinder\n";
+    scene.physics =
+        linear_material(kStiffness, 5.7e3, 0.5, 0.2) + rod_pair(kModels) +
+        fmt::format("variable place equal {}*step*dt\n", speed) +
+        rod_wall("floor", kModels, moving ? "type 1 zplane v_place" : "type 1 zplane 0.0") +
+        "fix motion all nve/spherocylinder\n";
     scene.dt = 1e-5;
     scene.steps = 4000;
     scene.dump_every = 100;
@@ -212,12 +212,12 @@ TEST(TurningPlanes, SetABallRolling)
       const double rate = 0.03 / lever;
       double down[3] = {0.0, 0.0, 0.0};
       down[axis] = -1.0;
-      scene.physics = linear_material(kStiffness, 5.7e3, 0.3, 0.4) + rod_pair(kModels) +
-                      fmt::format("fix gravity all gravity 9.81 vector {} {} {}\n", down[0], down[1],
-                                  down[2]) +
-                      rod_wall("plate", kModels, fmt::format("type 1 {}plane 0.1 turn {} 0.03 -0.02",
-                                                             "xyz"[axis], rate)) +
-                      "fix motion all nve/spherocylinder\n";
+      scene.physics =
+          linear_material(kStiffness, 5.7e3, 0.3, 0.4) + rod_pair(kModels) +
+          fmt::format("fix gravity all gravity 9.81 vector {} {} {}\n", down[0], down[1], down[2]) +
+          rod_wall("plate", kModels,
+                   fmt::format("type 1 {}plane 0.1 turn {} 0.03 -0.02", "xyz"[axis], rate)) +
+          "fix motion all nve/spherocylinder\n";
       scene.dt = 1e-5;
       scene.steps = 2000;
       const Rod end = run(scene).back().rods[0];
@@ -236,7 +236,8 @@ struct Refusal {
 
 void PrintTo(const Refusal &refusal, std::ostream *out) { *out << refusal.name; }
 
-#define WALL "fix lid all wall/gran model linear tangential history surface spherocylinder primitive type 1 "
+#define WALL \
+  "fix lid all wall/gran model linear tangential history surface spherocylinder primitive type 1 "
 
 const Refusal kRefusals[] = {
     {"NoVariable", WALL "zplane v_nothing\n", "must be of style equal (got none of this name)"},
@@ -262,9 +263,9 @@ class MovingPlanesRefuse : public testing::TestWithParam<Refusal> {};
 TEST_P(MovingPlanesRefuse, InOneSentence)
 {
   const DeckFolder folder;
-  const Outcome outcome = run_deck(
-      folder, rod_over_a_wall(2, 0.0),
-      std::string(GetParam().commands) + "fix motion all nve/spherocylinder\nrun 10\n");
+  const Outcome outcome =
+      run_deck(folder, rod_over_a_wall(2, 0.0),
+               std::string(GetParam().commands) + "fix motion all nve/spherocylinder\nrun 10\n");
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_NE(outcome.output.find(GetParam().sentence), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find("ERROR"), std::string::npos) << outcome.output;

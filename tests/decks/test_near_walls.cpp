@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Walls look only at rods whose ends were near not long ago, and at the contacts of model linear in
 // batches: neither may change a motion.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <random>
+
+#include <fmt/format.h>
 
 #include "claim.h"
 #include "run_mode.h"
@@ -17,7 +17,6 @@ namespace {
 
 // LIGGGHTS's lists are made anew in each step, and with them that of the rods near a wall.
 constexpr const char *kListsOfEachStep = "neigh_modify delay 0 every 1 check no\n";
-
 
 struct Vessel {
   const char *name, *walls;
@@ -173,19 +172,18 @@ Scene drum(const Case &c, bool batched = true)
     scene.rods.push_back(rod);
   }
   scene.skin = 0.01;
-  scene.physics = pair_property("kn", 2, [](int i, int j) { return 1e5 * (i + j); }) +
-                  pair_property("kt", 2, [](int i, int j) { return 6e4 * (i + j); }) +
-                  pair_property("coefficientRestitution", 2,
-                                [](int i, int j) { return 0.3 + 0.1 * (i + j); }) +
-                  pair_property("coefficientFriction", 2,
-                                [](int i, int j) { return 0.1 + 0.1 * (i + j); }) +
-                  no_rolling_friction(2) +
-                  fmt::format("pair_style gran model {} surface spherocylinder {}\npair_coeff * *\n",
-                              models(c, batched), c.keywords) +
-                  wall("drum", c, batched, "type 2 ycylinder 0.1 0.0 0.0 shear x 3.0") +
-                  wall("belt", c, batched, "type 1 zplane -0.0955 shear x 0.3") +
-                  "fix weight all gravity 9.81 vector 0.0 0.0 -1.0\n"
-                  "fix motion all nve/spherocylinder\n";
+  scene.physics =
+      pair_property("kn", 2, [](int i, int j) { return 1e5 * (i + j); }) +
+      pair_property("kt", 2, [](int i, int j) { return 6e4 * (i + j); }) +
+      pair_property("coefficientRestitution", 2, [](int i, int j) { return 0.3 + 0.1 * (i + j); }) +
+      pair_property("coefficientFriction", 2, [](int i, int j) { return 0.1 + 0.1 * (i + j); }) +
+      no_rolling_friction(2) +
+      fmt::format("pair_style gran model {} surface spherocylinder {}\npair_coeff * *\n",
+                  models(c, batched), c.keywords) +
+      wall("drum", c, batched, "type 2 ycylinder 0.1 0.0 0.0 shear x 3.0") +
+      wall("belt", c, batched, "type 1 zplane -0.0955 shear x 0.3") +
+      "fix weight all gravity 9.81 vector 0.0 0.0 -1.0\n"
+      "fix motion all nve/spherocylinder\n";
   scene.dt = 1e-5;
   scene.steps = 1000;
   scene.dump_every = 100;

@@ -233,7 +233,8 @@ TEST_P(PairImpact, NearlyParallelRodsOnOneEnd)
       return upper.velocity.z + cross(upper.omega, end).z - lower.velocity.z -
              cross(lower.omega, below).z;
     };
-    error = std::max(error, std::fabs(end_velocity(after[k], after[k + 1]) / approach / restitution - 1.0));
+    error = std::max(
+        error, std::fabs(end_velocity(after[k], after[k + 1]) / approach / restitution - 1.0));
   }
   expect_holds({"Nearly parallel rods on one end: restitution, relative", "e", 1e-3}, error);
 }

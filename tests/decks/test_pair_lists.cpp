@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The two lists of near rods: they hold what they say, and no motion depends on them.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <random>
 #include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "rod_gas.h"
 #include "scene.h"
@@ -27,11 +27,12 @@ Report read_report(const std::string &output)
   Report report;
   const size_t begin = output.find("Rod pairs: ");
   if (begin == std::string::npos) return report;
-  sscanf(output.c_str() + begin,
-         "Rod pairs: listed = %ld, close = %ld, touching = %ld Rod pair list builds = %ld (skin %lf), "
-         "close pair refreshes = %ld (skin %lf)",
-         &report.listed, &report.close, &report.touching, &report.builds, &report.list_skin,
-         &report.refreshes, &report.close_skin);
+  sscanf(
+      output.c_str() + begin,
+      "Rod pairs: listed = %ld, close = %ld, touching = %ld Rod pair list builds = %ld (skin %lf), "
+      "close pair refreshes = %ld (skin %lf)",
+      &report.listed, &report.close, &report.touching, &report.builds, &report.list_skin,
+      &report.refreshes, &report.close_skin);
   return report;
 }
 
@@ -59,8 +60,7 @@ Result run_with(const Scene &scene, const std::string &keywords, const std::stri
   const Outcome outcome = folder.run("in.lists", {Program::Lmp, mode == Mode::TwoRanks ? 2 : 1});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   if (outcome.exit_code != 0) return {};
-  return {read_report(outcome.output), outcome.output,
-          read_frames(folder / "dump.lists", scene)};
+  return {read_report(outcome.output), outcome.output, read_frames(folder / "dump.lists", scene)};
 }
 
 // Rods of 8-16 and spheres of 1 diameter thrown into a box without regard to overlap.
@@ -160,8 +160,8 @@ TEST(PairLists, DoNotChangeTheMotion)
   EXPECT_LT(wide.report.refreshes, chosen.report.refreshes);
   // More than LIGGGHTS asks for, so that histories pass from list to list without it.
   long neighbour_builds = -1;
-  sscanf(wide.output.c_str() + wide.output.find("Neighbor list builds"), "Neighbor list builds = %ld",
-         &neighbour_builds);
+  sscanf(wide.output.c_str() + wide.output.find("Neighbor list builds"),
+         "Neighbor list builds = %ld", &neighbour_builds);
   EXPECT_GE(neighbour_builds, 0);
   EXPECT_GT(wide.report.builds, neighbour_builds + 5);
 }
@@ -178,8 +178,8 @@ TEST(PairLists, AreCompleteOnTwoRanks)
   double largest = 0.0;
   for (size_t f = 0; f < one.frames.size(); f++)
     for (size_t k = 0; k < scene.rods.size(); k++)
-      largest = std::max(largest, norm(one.frames[f].rods[k].position -
-                                       two.frames[f].rods[k].position));
+      largest =
+          std::max(largest, norm(one.frames[f].rods[k].position - two.frames[f].rods[k].position));
   EXPECT_LT(largest, 1e-12);
   EXPECT_GT(collisions(one.frames), 20.0);
 }
@@ -233,8 +233,7 @@ TEST(PairLists, LeaveOutWhatTheDeckExcludes)
       }
     return pairs;
   };
-  const std::string material =
-      linear_material(1e5, 5e4, 0.9, 0.3, 2);
+  const std::string material = linear_material(1e5, 5e4, 0.9, 0.3, 2);
   const auto excluded = [&](const std::string &command) {
     return run_with(scene, "", material + command + "\n").report.touching;
   };

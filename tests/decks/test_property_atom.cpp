@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // compute property/atom of rods: axis, quaternion and size for variables, averages and dumps.
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "core/rotation.h"
 #include "scene.h"
@@ -44,11 +44,12 @@ class PropertyAtom : public testing::TestWithParam<int> {};
 // Three rods along x, y, z: <u_i u_j> is a third of the unit matrix, so that Q = 0.
 TEST_P(PropertyAtom, RodsAlongXYZHaveNoOrder)
 {
-  const Scene scene =
-      scene_of({{{0.1, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {{0.1, 0.3, 0.0}, {0.0, 1.0, 0.0}},
-                {{-0.4, 0.6, 0.0}, {0.0, 0.0, 1.0}}});
+  const Scene scene = scene_of({{{0.1, 0.0, 0.0}, {1.0, 0.0, 0.0}},
+                                {{0.1, 0.3, 0.0}, {0.0, 1.0, 0.0}},
+                                {{-0.4, 0.6, 0.0}, {0.0, 0.0, 1.0}}});
   const DeckFolder folder;
-  const Outcome outcome = run_deck(folder, scene, GetParam(), R"(compute u all property/atom ux uy uz
+  const Outcome outcome =
+      run_deck(folder, scene, GetParam(), R"(compute u all property/atom ux uy uz
 variable xx atom 1.5*c_u[1]*c_u[1]-0.5
 variable xy atom 1.5*c_u[1]*c_u[2]
 variable zz atom c_u[3]*c_u[3]
@@ -101,23 +102,34 @@ TEST_P(PropertyAtom, GivesTheRodsOwnSize)
   const DeckFolder folder;
   std::string columns = "id";
   for (int k = 1; k <= 15; k++) columns += fmt::format(" c_p[{}]", k);
-  run_deck(folder, scene, GetParam(), R"(compute p all property/atom diameter vy length id aspect &
+  run_deck(folder, scene, GetParam(),
+           R"(compute p all property/atom diameter vy length id aspect &
   density volume eqradius inertiax inertiaz shapex shapez uy uz mass
 compute one all property/atom vx
 group second id 2
 compute second second property/atom length
 )" + exact_dump("dump.p", 1, columns + " c_one c_second") +
-                                              "run 0\n");
+               "run 0\n");
   const Table rows = read_dump(folder / "dump.p").back().atoms;
   ASSERT_EQ(rows.rows.size(), 2u);
   for (size_t k = 0; k < 2; k++) {
     const Rod &rod = scene.rods[k];
     const auto wanted = rod.properties();
-    const double values[] = {rod.diameter, rod.velocity.y, rod.length, k + 1.0,
-                             rod.length / rod.diameter, rod.density, wanted.volume,
-                             std::cbrt(wanted.volume * 3.0 / 4.0 / M_PI), wanted.inertia_transverse,
-                             wanted.inertia_axial, rod.radius(), 0.5 * rod.length, rod.axis.y,
-                             rod.axis.z, wanted.mass};
+    const double values[] = {rod.diameter,
+                             rod.velocity.y,
+                             rod.length,
+                             k + 1.0,
+                             rod.length / rod.diameter,
+                             rod.density,
+                             wanted.volume,
+                             std::cbrt(wanted.volume * 3.0 / 4.0 / M_PI),
+                             wanted.inertia_transverse,
+                             wanted.inertia_axial,
+                             rod.radius(),
+                             0.5 * rod.length,
+                             rod.axis.y,
+                             rod.axis.z,
+                             wanted.mass};
     for (int column = 0; column < 15; column++)
       EXPECT_NEAR(rows.rows[k][1 + column], values[column], 1e-14 * (1 + std::fabs(values[column])))
           << column;

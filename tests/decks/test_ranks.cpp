@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Subdomains thinner than the rods' range, rods that go from rank to rank with their contacts, cuts
 // that follow a filling bed: the motion is that of one rank, or the run ends with one sentence.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
 #include <sstream>
 #include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "scene.h"
@@ -86,7 +86,8 @@ double touching(const Frame &frame)
   return 0.5 * sum;
 }
 
-void expect_same_motion(const std::string &what, const Scene &scene, const Motion &one, const Motion &many)
+void expect_same_motion(const std::string &what, const Scene &scene, const Motion &one,
+                        const Motion &many)
 {
   ASSERT_FALSE(one.frames.empty());
   ASSERT_EQ(one.frames.size(), many.frames.size());
@@ -118,8 +119,10 @@ Scene periodic_gas(double x, double y, double z, int rods)
     for (Rod other : scene.rods) {
       const Vec3 at = other.position;
       for (int image = 0; image < 27; image++) {
-        other.position = at + Vec3{x * (image % 3 - 1), y * (image / 3 % 3 - 1), z * (image / 9 - 1)};
-        if (norm(other.position - rod.position) < rod.length && slow_distance(other, rod) < rod.diameter)
+        other.position =
+            at + Vec3{x * (image % 3 - 1), y * (image / 3 % 3 - 1), z * (image / 9 - 1)};
+        if (norm(other.position - rod.position) < rod.length &&
+            slow_distance(other, rod) < rod.diameter)
           return false;
       }
     }
@@ -213,10 +216,11 @@ Scene travelling_pairs()
     scene.rods.push_back(a);
     scene.rods.push_back(b);
   }
-  scene.physics = linear_material(kn, 5e4, 0.5, 0.5, 2) + rod_pair(kModels) + kMotion +
-                  fmt::format("group lower type 1\ngroup upper type 2\n"
-                              "fix up lower addforce 0.05 0.0 {0}\nfix down upper addforce -0.05 0.0 -{0}\n",
-                              force);
+  scene.physics =
+      linear_material(kn, 5e4, 0.5, 0.5, 2) + rod_pair(kModels) + kMotion +
+      fmt::format("group lower type 1\ngroup upper type 2\n"
+                  "fix up lower addforce 0.05 0.0 {0}\nfix down upper addforce -0.05 0.0 -{0}\n",
+                  force);
   scene.dt = 1e-5;
   scene.steps = 4000;
   return scene;
@@ -228,7 +232,8 @@ TEST_P(Travelling, PairsTakeTheirSpringsAlong)
 {
   const Scene scene = travelling_pairs();
   const Motion one = run_scene(scene, {1, 1, 1}), many = run_scene(scene, GetParam());
-  for (const Rod &rod : one.frames.back().rods) EXPECT_GT(rod.position.x, 0.02) << "not past the cut";
+  for (const Rod &rod : one.frames.back().rods)
+    EXPECT_GT(rod.position.x, 0.02) << "not past the cut";
   EXPECT_EQ(touching(one.frames.back()), 6.0);
   expect_same_motion("Pressed pairs through the cuts", scene, one, many);
 }
@@ -309,8 +314,8 @@ TEST_P(Balanced, ByFix)
   expect_same_motion("Filling vessel, fix balance", scene, on_one_rank(), balanced);
 
   const Table before = read_thermo(unbalanced.output), after = read_thermo(balanced.output);
-  fmt::print("imbalance at the end: {} without, {} with\n", before.at(before.rows.size() - 1, "bal"),
-             after.at(after.rows.size() - 1, "bal"));
+  fmt::print("imbalance at the end: {} without, {} with\n",
+             before.at(before.rows.size() - 1, "bal"), after.at(after.rows.size() - 1, "bal"));
   EXPECT_GE(before.at(before.rows.size() - 1, "bal"), 1.8);
   EXPECT_EQ(before.at(before.rows.size() - 1, "bal[2]"), 0.0);
   EXPECT_LE(worst_late_imbalance(after), nearly_even(scene.rods.size(), ranks) + 0.15);
@@ -325,7 +330,8 @@ TEST_P(Balanced, ByCommandBetweenRuns)
   const Scene scene = filling_vessel();
   const std::string command = "balance 1.0 shift z 12 1.02\n";
   const Motion motion = run_scene(scene, GetParam(), command);
-  expect_same_motion("Filling vessel, balance", scene, run_scene(scene, {1, 1, 1}, command), motion);
+  expect_same_motion("Filling vessel, balance", scene, run_scene(scene, {1, 1, 1}, command),
+                     motion);
   const std::string says = "initial/final imbalance factor = ";
   const size_t at = motion.output.find(says);
   ASSERT_NE(at, std::string::npos) << motion.output;
@@ -357,7 +363,8 @@ void expect_error(const Scene &scene, const Processors &n, const std::string &co
   }
   EXPECT_EQ(sentences, 1) << outcome.output;
   for (const std::string &part : parts)
-    EXPECT_NE(sentence.find(part), std::string::npos) << "wanted: " << part << "\ngot: " << sentence;
+    EXPECT_NE(sentence.find(part), std::string::npos)
+        << "wanted: " << part << "\ngot: " << sentence;
 }
 
 Scene few_rods(const std::vector<Vec3> &places)

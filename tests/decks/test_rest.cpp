@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rods under gravity on floors and supports: how deep they sink, how they fall over and swing.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "claim.h"
 #include "run_mode.h"

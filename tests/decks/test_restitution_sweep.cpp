@@ -48,9 +48,8 @@ TEST_P(RestitutionSweep, ConvergesToTheCoefficient)
              "order {:.2f}\n",
              errors[0], errors[1], errors[2], errors[3], order);
   const std::string what = GetParam() == Partner::Wall ? "on a wall" : "on a rod";
-  expect_holds(
-      {"Restitution " + what + ", e 0.1-0.9, 5-85 deg, lambda 1-100: relative", "e", 1e-3},
-      errors.back());
+  expect_holds({"Restitution " + what + ", e 0.1-0.9, 5-85 deg, lambda 1-100: relative", "e", 1e-3},
+               errors.back());
   EXPECT_GT(order, 0.8);
 }
 
@@ -92,8 +91,10 @@ TEST_P(RestitutionSweep, DampedByMassesALongRodHardlyRebounds)
     }
   }
   EXPECT_LT(least, 0.3);
-  expect_holds({"effective_mass off, " + what + ", e 0.5-0.9, 5-85 deg, lambda 1-100: restitution, "
-                "relative", "exp(-pi z/sqrt(1 - z^2)), z = beta sqrt(M/m_eff)", 1e-3},
+  expect_holds({"effective_mass off, " + what +
+                    ", e 0.5-0.9, 5-85 deg, lambda 1-100: restitution, "
+                    "relative",
+                "exp(-pi z/sqrt(1 - z^2)), z = beta sqrt(M/m_eff)", 1e-3},
                error);
 }
 

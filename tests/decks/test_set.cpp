@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rods placed by hand, create_atoms and set: size, density, orientation and spin are what the deck says,
 // and mass and inertia belong to them (closed forms), before the next run, in it and in files.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "core/rotation.h"
 #include "scene.h"
@@ -32,7 +32,8 @@ neigh_modify delay 0
 fix motion all nve/spherocylinder
 )",
                      ranks > 1 ? "processors 2 1 1\n" : "", types,
-                     linear_material(1e5, 1e5, 0.5, 0.2, types), rod_pair("linear tangential history"));
+                     linear_material(1e5, 1e5, 0.5, 0.2, types),
+                     rod_pair("linear tangential history"));
 }
 
 constexpr const char *kColumns =
@@ -43,8 +44,8 @@ constexpr const char *kColumns =
 Table rods_after(const std::string &commands, int ranks, const std::string &end = "run 0\n")
 {
   const DeckFolder folder;
-  folder.write("in.set", preamble_of_box(commands, ranks) + commands + exact_dump("dump.rods", 1, kColumns) +
-                             end);
+  folder.write("in.set", preamble_of_box(commands, ranks) + commands +
+                             exact_dump("dump.rods", 1, kColumns) + end);
   const Outcome outcome = folder.run("in.set", {Program::Lmp, ranks});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   if (outcome.exit_code != 0) return {};
@@ -64,8 +65,8 @@ std::string error_of(const std::string &commands, int ranks = 1)
 
 Vec3 axis_of_row(const Table &rods, size_t row)
 {
-  return spherocylinder::axis_of({rods.at(row, "quat1"), rods.at(row, "quat2"),
-                                  rods.at(row, "quat3"), rods.at(row, "quat4")});
+  return spherocylinder::axis_of(
+      {rods.at(row, "quat1"), rods.at(row, "quat2"), rods.at(row, "quat3"), rods.at(row, "quat4")});
 }
 
 void expect_rod(const Table &rods, size_t row, double diameter, double length, double density)
@@ -165,7 +166,8 @@ set atom 1 density 900
 TEST_P(SetOnRanks, FilesWrittenRightAfterHoldTheRod)
 {
   const DeckFolder folder;
-  folder.write("in.write", preamble_of_box("", GetParam()) + R"(create_atoms 1 single -0.5 0 0 units box
+  folder.write("in.write",
+               preamble_of_box("", GetParam()) + R"(create_atoms 1 single -0.5 0 0 units box
 set atom 1 diameter 0.01 length 0.05 density 2000 axis 0 0.6 0.8 omegax 3
 write_restart rod.restart
 write_data rod.data

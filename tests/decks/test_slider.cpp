@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The slider of model linear: friction holds spring and dashpot together to mu F_n, or, with
 // limit_tangential_damping off, the spring alone as LIGGGHTS's tangential history does.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "claim.h"
 #include "run_mode.h"
@@ -77,8 +77,8 @@ struct Flat {
                      linear_material(kn, kt, restitution, friction) +
                      pair_property("coefficientRollingFriction", 1, 0.1) +
                      contacts(tangential, keywords, wall_keywords) +
-                     fmt::format("fix weight all gravity {} vector {} 0 {}\ntimestep {}\n", kGravity,
-                                 std::sin(slope), -std::cos(slope), dt) +
+                     fmt::format("fix weight all gravity {} vector {} 0 {}\ntimestep {}\n",
+                                 kGravity, std::sin(slope), -std::cos(slope), dt) +
                      exact_dump("dump.flat", 1, "id fx fy fz") + fmt::format("run {}\n", steps));
     const Outcome outcome = folder.run("in.flat");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
@@ -126,8 +126,8 @@ TEST(SliderOfAFlatRod, HoldsFromTheFirstStepOn)
         for (const Flat::Force &f : flat.forces())
           error = std::max(error, std::fabs(-f.along / (flat.friction * f.normal) - 1.0));
       }
-  expect_holds({"Flat rod thrown sideways: tangential force, relative, from step 0", "mu F_n", 1e-9},
-               error);
+  expect_holds(
+      {"Flat rod thrown sideways: tangential force, relative, from step 0", "mu F_n", 1e-9}, error);
 }
 
 // A dashpot alone pulls less than friction would hold: nothing is cut off.
@@ -238,9 +238,9 @@ TEST_P(Slider, ObliqueImpactSlidingThroughout)
                       std::fabs(below.omega.y / spin - 1.0)});
   }
   // 2 zeta omega dt of the jumps of the force at touch, and how far the rods turn in the meantime.
-  expect_holds({"Oblique impact, sliding throughout: impulses, relative", "J_t = mu (1+e) m_eff v_n",
-                3e-3},
-               error);
+  expect_holds(
+      {"Oblique impact, sliding throughout: impulses, relative", "J_t = mu (1+e) m_eff v_n", 3e-3},
+      error);
 }
 
 // So rough that nothing slides: the surface of a ball or of an upright rod's end is held by spring
@@ -275,8 +275,8 @@ TEST_P(Slider, ObliqueImpactThatSticks)
     const double decay = beta * std::sqrt(kt * p.mass) * inverse;
     const double omega = std::sqrt(kt * inverse - decay * decay);
     const double slip = rod.velocity.x;
-    const double left = slip * std::exp(-decay * T) *
-                        (std::cos(omega * T) - decay / omega * std::sin(omega * T));
+    const double left =
+        slip * std::exp(-decay * T) * (std::cos(omega * T) - decay / omega * std::sin(omega * T));
     const double J = (left - slip) / inverse;
     error = std::max({error, std::fabs((after[k].velocity.x - slip) * p.mass / J - 1.0),
                       std::fabs(-after[k].omega.y * p.inertia_transverse / (b * J) - 1.0)});

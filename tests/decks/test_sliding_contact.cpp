@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contacts that stick, slide along rods or turn with them: a long rest on an incline, spinning rods
 // that come to rest, V grooves, a turning drum, a pair whose common normal turns.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "claim.h"
 #include "run_mode.h"
@@ -144,16 +144,15 @@ TEST_P(SlidingContact, FlatRodSpinsDown)
   const std::vector<Frame> frames = run(scene, GetParam());
 
   const auto p = fast.properties();
-  const double slowing =
-      friction * p.mass * kGravity * fast.half_cylinder() / p.inertia_transverse;
+  const double slowing = friction * p.mass * kGravity * fast.half_cylinder() / p.inertia_transverse;
   const Frame &start = frames[1], &middle = frames[102], &end = frames.back();
   const auto rate = [&](const Frame &frame) { return frame.rods[0].omega.z; };
   // Not over the restart half way: in a run's first step LIGGGHTS's history model damps without
   // the limit of friction, which may give the rod a sideways speed of 10^-2 of that of its ends.
   double error = 0.0;
   for (const auto &[from, to] : {std::pair{&start, &frames[100]}, std::pair{&middle, &end}})
-    error = std::max(error, std::fabs((rate(*from) - rate(*to)) / (to->time - from->time) /
-                                          slowing - 1.0));
+    error = std::max(
+        error, std::fabs((rate(*from) - rate(*to)) / (to->time - from->time) / slowing - 1.0));
   expect_holds({"Flat rod turning on a floor: deceleration, relative", "mu m g h/(2 I_t)", 1e-4},
                error);
   EXPECT_LT(norm(frames[100].rods[0].position - fast.position), 1e-9)
@@ -195,10 +194,11 @@ TEST_P(SlidingContact, RodSpinsDownInAGroove)
   const double load = p.mass * kGravity / (sine * (1.0 + friction * friction));
   const double slowing = friction * rod.radius() * load / p.inertia_axial;
   // The arm of friction ends in the middle of the overlap, 10^-4 r short of the surface.
-  expect_holds({"Rod turning in a groove: deceleration, relative",
-                "mu r m g/(sin(a) (1 + mu^2) I_a)", 2e-4},
-               std::fabs((middle.rods[0].omega.x - end.rods[0].omega.x) /
-                             (end.time - middle.time) / slowing - 1.0));
+  expect_holds(
+      {"Rod turning in a groove: deceleration, relative", "mu r m g/(sin(a) (1 + mu^2) I_a)", 2e-4},
+      std::fabs((middle.rods[0].omega.x - end.rods[0].omega.x) / (end.time - middle.time) /
+                    slowing -
+                1.0));
   EXPECT_LT(std::fabs(end.rods[0].position.x), 1e-9);
 }
 
@@ -230,9 +230,9 @@ TEST_P(SlidingContact, SlidesDownAGroove)
         scene.rods.push_back(rail);
       }
     }
-    scene.physics =
-        linear_material(kStiffness, kStiffness, 0.3, friction, 2) +
-        contacts_and_fixed_rods(2, rails == "notches" ? "" : " " + rails) + gravity_on_slope(slope);
+    scene.physics = linear_material(kStiffness, kStiffness, 0.3, friction, 2) +
+                    contacts_and_fixed_rods(2, rails == "notches" ? "" : " " + rails) +
+                    gravity_on_slope(slope);
     scene.dt = 1e-5;
     scene.steps = 8000;
     scene.dump_every = 500;
@@ -251,7 +251,7 @@ TEST_P(SlidingContact, SlidesDownAGroove)
 TEST_P(SlidingContact, SlidesDownACorner)
 {
   const double slope = degrees(30.0), sine = std::sin(slope), cosine = std::cos(slope);
-  const double half = std::sqrt(0.5);  // sin and cos of 45 degrees
+  const double half = std::sqrt(0.5);      // sin and cos of 45 degrees
   const double frictions[] = {0.3, 0.45};  // tan(30) sin(45) = 0.408 holds it
   Scene scene;
   scene.types = 3;
@@ -279,7 +279,8 @@ TEST_P(SlidingContact, SlidesDownACorner)
   expect_holds({"Corner of two planes, sliding: acceleration, relative",
                 "g (sin(b) - mu cos(b)/sin(a))", 1e-6},
                std::fabs((end.rods[0].velocity.x - middle.rods[0].velocity.x) /
-                             (end.time - middle.time) / expected - 1.0));
+                             (end.time - middle.time) / expected -
+                         1.0));
   expect_holds({"Corner of two planes, resting: creep in 0.075 s (m)", "none", 1e-12},
                norm(end.rods[1].position - middle.rods[1].position));
 }
@@ -348,11 +349,11 @@ TEST_P(SlidingContact, RodAcrossATurningDrum)
   rod.omega.y = rate;
   scene.rods = {rod};
   // LIGGGHTS takes the wall's velocity at the distance R - r at which the end's centre is.
-  scene.physics = linear_material(kStiffness, kt, 0.8, 1.0) + rod_pair(kModels) +
-                  rod_wall("drum", kModels,
-                           fmt::format("type 1 ycylinder {} 0.0 0.0 shear x {}", R,
-                                       rate * R / reach)) +
-                  "fix motion all nve/spherocylinder\n";
+  scene.physics =
+      linear_material(kStiffness, kt, 0.8, 1.0) + rod_pair(kModels) +
+      rod_wall("drum", kModels,
+               fmt::format("type 1 ycylinder {} 0.0 0.0 shear x {}", R, rate * R / reach)) +
+      "fix motion all nve/spherocylinder\n";
   scene.dt = 5e-6;
   const long quarters = std::lround(4.0 * turns), every = std::lround(0.5 * pi / (rate * scene.dt));
   scene.steps = quarters * every;
@@ -420,10 +421,10 @@ TEST(SlidingContactForce, TurnsWithTheNormal)
     const Vec3 force = {f.at(0, "fx"), f.at(0, "fy"), f.at(0, "fz")};
     const Vec3 along = {0.0, std::cos(angle), std::sin(angle)};
     const Vec3 normal = {0.0, -std::sin(angle), std::cos(angle)};
-    const Vec3 expected =
-        kStiffness * (fixed.diameter - c * std::cos(angle)) * normal -
-        0.7 * kStiffness * (slide * (angle - touch) / rate * Vec3{1.0, 0.0, 0.0} +
-                            0.5 * c * (std::sin(angle) - std::sin(touch)) * along);
+    const Vec3 expected = kStiffness * (fixed.diameter - c * std::cos(angle)) * normal -
+                          0.7 * kStiffness *
+                              (slide * (angle - touch) / rate * Vec3{1.0, 0.0, 0.0} +
+                               0.5 * c * (std::sin(angle) - std::sin(touch)) * along);
     error = std::max(error, norm(force - expected) / norm(expected));
   }
   EXPECT_GE(touching, 12);
@@ -457,8 +458,9 @@ TEST_P(SlidingContact, SpringTurnsWithThePair)
   const std::vector<Rod> after = run(scene, GetParam()).back().rods;
   const double t = scene.dt * static_cast<double>(scene.steps), impulse = 0.5 * kt * u * t * t;
   const Vec3 got = lower.mass() * (after[0].velocity - lower.velocity);
-  expect_holds({"Spring of a pair that turns about its normal: impulse, relative", "kt u t^2/2", 1e-3},
-               norm(got - Vec3{impulse, 0.0, got.z}) / impulse);
+  expect_holds(
+      {"Spring of a pair that turns about its normal: impulse, relative", "kt u t^2/2", 1e-3},
+      norm(got - Vec3{impulse, 0.0, got.z}) / impulse);
 }
 
 DECKS_IN_ALL_MODES(SlidingContact);

@@ -2,13 +2,13 @@
 // A rod as long as thick is a sphere: the same deck on stock LIGGGHTS, with atom_style granular and
 // surface default, must give the same motion. For LIGGGHTS's contact models, over collisions with
 // each other and with walls.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <random>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "claim.h"
 #include "scene.h"
@@ -56,10 +56,9 @@ std::string granular_data_file(const std::vector<Rod> &all)
     velocities += fmt::format("{} {} {} {} {} {} {}\n", i + 1, b.velocity.x, b.velocity.y,
                               b.velocity.z, b.omega.x, b.omega.y, b.omega.z);
   }
-  return fmt::format(
-      "balls\n\n{} atoms\n1 atom types\n0 0.06 xlo xhi\n0 0.06 ylo yhi\n"
-      "0 0.06 zlo zhi\n\nAtoms\n\n{}\nVelocities\n\n{}",
-      all.size(), atoms, velocities);
+  return fmt::format("balls\n\n{} atoms\n1 atom types\n0 0.06 xlo xhi\n0 0.06 ylo yhi\n"
+                     "0 0.06 zlo zhi\n\nAtoms\n\n{}\nVelocities\n\n{}",
+                     all.size(), atoms, velocities);
 }
 
 // Everything any of the models may ask for.
@@ -191,14 +190,13 @@ TEST(StockModels, RodsKeepTheCoefficientOfRestitution)
   scene.dt = 1e-7;
   scene.steps = 25000;
   for (const std::string model : {"hooke", "hertz"}) {
-    scene.physics =
-        "fix y all property/global youngsModulus peratomtype 9e8\n"
-        "fix nu all property/global poissonsRatio peratomtype 0.3\n"
-        "fix cv all property/global characteristicVelocity scalar 0.01\n" +
-        pair_property("coefficientRestitution", 1, restitution) +
-        rod_pair(model + " tangential off") +
-        rod_wall("floor", model + " tangential off", "type 1 zplane 0.0") +
-        "fix motion all nve/spherocylinder\n";
+    scene.physics = "fix y all property/global youngsModulus peratomtype 9e8\n"
+                    "fix nu all property/global poissonsRatio peratomtype 0.3\n"
+                    "fix cv all property/global characteristicVelocity scalar 0.01\n" +
+                    pair_property("coefficientRestitution", 1, restitution) +
+                    rod_pair(model + " tangential off") +
+                    rod_wall("floor", model + " tangential off", "type 1 zplane 0.0") +
+                    "fix motion all nve/spherocylinder\n";
     const std::vector<Rod> after = run(scene).back().rods;
     double error = 0.0;
     for (const Rod &rod : after) {

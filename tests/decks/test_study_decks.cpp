@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The decks of input/: on several ranks all rods are placed, and each rank has its share of them
 // when they have come down; what can be chosen does what it says.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "core/rotation.h"
 #include "deck_run.h"
@@ -18,23 +18,21 @@ using namespace decks;
 namespace {
 
 // A vessel hardly wider than a rod is long, whose bed is a sixth of its height.
-constexpr const char *kCase =
-    "variable lambda index 5\n"
-    "variable vessel_diameter index 0.06\n"
-    "variable rods index 60\n"
-    "variable vessel_height index 1.5\n"
-    "variable stiffness index 2e3\n"
-    "variable dt index 6e-5\n"
-    "variable fill_time index 0.6\n"
-    "variable total_time index 0.66\n"
-    "variable limit_fill index 0\n"
-    "variable limit_settle index 0\n";
+constexpr const char *kCase = "variable lambda index 5\n"
+                              "variable vessel_diameter index 0.06\n"
+                              "variable rods index 60\n"
+                              "variable vessel_height index 1.5\n"
+                              "variable stiffness index 2e3\n"
+                              "variable dt index 6e-5\n"
+                              "variable fill_time index 0.6\n"
+                              "variable total_time index 0.66\n"
+                              "variable limit_fill index 0\n"
+                              "variable limit_settle index 0\n";
 
 // The fuller rank's rods over the mean once the stage is over.
-constexpr const char *kShare =
-    "run 0\n"
-    "variable even equal f_even\n"
-    "print \"imbalance ${even}\"\n";
+constexpr const char *kShare = "run 0\n"
+                               "variable even equal f_even\n"
+                               "print \"imbalance ${even}\"\n";
 
 void copy_decks(const DeckFolder &folder)
 {
@@ -186,7 +184,8 @@ TEST(StudyDecksChoice, FrictionAtWallsIsTheirOwn)
   folder.write("in.slide",
                "variable vessel_diameter index 1.0\nvariable friction index 0.5\n"
                "variable friction_wall index 0.1\ninclude in.rods\nread_data rods.data\n"
-               "include in.contact\n" + exact_dump("dump.end", 2500, "id vx") + "run 2500\n");
+               "include in.contact\n" +
+                   exact_dump("dump.end", 2500, "id vx") + "run 2500\n");
   const Outcome outcome = folder.run("in.slide");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_NEAR(read_dump(folder / "dump.end").back().atoms.at(0, "vx"),
@@ -198,10 +197,10 @@ TEST(StudyDecksChoice, RodsStartUprightOrLevel)
   const DeckFolder folder;
   copy_decks(folder);
   for (const bool upright : {true, false}) {
-    const Outcome outcome = run_stage(
-        folder, "fill", std::string(kVessel) + kAsPlaced +
-                            (upright ? "variable vertical index 1\n"
-                                     : "variable horizontal index 1\n"));
+    const Outcome outcome =
+        run_stage(folder, "fill",
+                  std::string(kVessel) + kAsPlaced +
+                      (upright ? "variable vertical index 1\n" : "variable horizontal index 1\n"));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
     std::map<long, int> headings;
     const std::vector<Axis> axes = axes_of(read_dump(folder / "dump.fill").at(1));
@@ -257,8 +256,7 @@ TEST(StudyDecksChoice, LengthsSpreadEvenly)
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   std::map<long, int> lengths;
   const Table rods = read_dump(folder / "dump.fill").at(1).atoms;
-  for (size_t i = 0; i < rods.rows.size(); i++)
-    lengths[std::lround(2000 * rods.at(i, "shapez"))]++;
+  for (size_t i = 0; i < rods.rows.size(); i++) lengths[std::lround(2000 * rods.at(i, "shapez"))]++;
   EXPECT_EQ(lengths, (std::map<long, int>{{40, 21}, {50, 21}, {60, 21}}));
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rods that a command puts into each other: the run ends with a sentence, unless the deck allows it, and no
 // history of another place is used. Also types that nothing uses, and lists of rods that are gone.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <ostream>
 #include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "scene.h"
 
@@ -81,13 +81,16 @@ Outcome run_with_pause(const DeckFolder &folder, const Case &c, int ranks)
   two_types.types = 2;
   folder.write("rods.data", data_file(two_types));
   std::string start = preamble(scene);
-  start.insert(start.find("newton"),
-               ranks == 2 ? "processors 2 1 1\n" : ranks == 4 ? "processors 2 2 1\n" : "");
+  start.insert(start.find("newton"), ranks == 2   ? "processors 2 1 1\n"
+                                     : ranks == 4 ? "processors 2 2 1\n"
+                                                  : "");
   std::string deck = start + "read_data rods.data\nneighbor 0.02 bin\nneigh_modify delay 0\n" +
                      linear_material(2e4, 5.7e3, 0.5, 0.2, 2) +
                      "fix Y all property/global youngsModulus peratomtype 5e6 5e6\n"
                      "fix nu all property/global poissonsRatio peratomtype 0.3 0.3\n"
-                     "pair_style gran model " + c.models + "\npair_coeff * *\n"
+                     "pair_style gran model " +
+                     c.models +
+                     "\npair_coeff * *\n"
                      "fix motion all nve/spherocylinder\ntimestep 2e-5\n"
                      "group first id 1\ngroup second id 2\ngroup fourth id 4\ngroup fifth id 5\n"
                      "compute fz all reduce max fz\nthermo_style custom step c_fz\nthermo 5\n"
@@ -129,7 +132,8 @@ TEST(FalseHistories, AreDropped)
     const Outcome outcome = run_with_pause(folder, c, ranks);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("the contact history of rods 1 and 2 does not belong"),
-              std::string::npos) << outcome.output;
+              std::string::npos)
+        << outcome.output;
     const double fz = read_thermo(outcome.output).rows[0][1];
     EXPECT_NEAR(fz, 2.0, 0.2) << ranks;
   }
@@ -139,8 +143,8 @@ TEST(FalseHistories, AreDropped)
 // forces are kn 1e-4 m, between rods and at a wall.
 TEST(UnusedTypes, AreNotLookedAt)
 {
-  for (const char *models : {"linear tangential history", "linear tangential off",
-                             "linear tangential no_history"})
+  for (const char *models :
+       {"linear tangential history", "linear tangential off", "linear tangential no_history"})
     for (const int types : {2, 3, 7})
       for (const Mode mode : {Mode::OneRank, Mode::TwoRanks, Mode::FourRanks}) {
         Scene scene = pairs();

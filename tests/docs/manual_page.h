@@ -13,15 +13,15 @@ struct Block {
   std::string language;  // what stands behind the three backquotes
   std::string heading;   // the second-level heading it is under
   std::string text;
-  int line = 0;          // of the opening backquotes, from 1
+  int line = 0;  // of the opening backquotes, from 1
 };
 
 struct ManualPage {
-  std::string name;  // of the file, without .md
+  std::string name;                   // of the file, without .md
   std::vector<std::string> headings;  // of the second level, in order
   std::vector<std::string> anchors;   // of all headings, as GitHub makes them
   std::vector<Block> blocks;
-  std::vector<std::string> links;     // targets inside the manual: no http
+  std::vector<std::string> links;  // targets inside the manual: no http
 };
 
 // What GoogleTest shows beside a test's name.

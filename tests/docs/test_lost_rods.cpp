@@ -2,14 +2,14 @@
 // Stock LIGGGHTS lets atoms that leave a bounded box go without a word. Each deck of the project and
 // each deck of the manual asks for an error instead: `thermo_modify lost error`, which a later
 // thermo_style would undo, holds at every run.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <sstream>
+
+#include <gtest/gtest.h>
 
 #include "manual_page.h"
 

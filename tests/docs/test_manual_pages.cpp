@@ -4,15 +4,15 @@
 //   decks/<page>.in   a deck with `include example` in its right place, run by lmp, or
 //   decks/<page>.sh   a shell script with `. ./example`
 // (or <page>_<number>.in for one example that needs others). It passes if the program ends with exit code 0.
-#include <gtest/gtest.h>
-#include <stdlib.h>
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
 
 #include "manual_page.h"
 
@@ -44,8 +44,8 @@ bool is_of_a_tool(const ManualPage &page)
 
 bool is_of_a_style(const ManualPage &page)
 {
-  return page.name != "README" && page.name != "with_liggghts" &&
-         page.name != "from_multisphere" && page.name != "architecture" && !is_of_a_tool(page);
+  return page.name != "README" && page.name != "with_liggghts" && page.name != "from_multisphere" &&
+         page.name != "architecture" && !is_of_a_tool(page);
 }
 
 std::vector<ManualPage> style_pages()
@@ -109,10 +109,10 @@ TEST_P(ManualExample, Runs)
   const std::string surroundings = fs::exists(folder / own) ? own : example.page + ending;
   ASSERT_TRUE(fs::exists(folder / surroundings))
       << "tests/docs/decks wants a file " << surroundings << " for the examples of this page";
-  const std::string program =
-      is_deck ? std::string(LMP_PROGRAM) + " -in " + surroundings
-              : "LMP=" LMP_PROGRAM " LIBRARY=" SPHEROCYLINDER_LIBRARY
-                " PROJECT=" DOCS_FOLDER "/.. sh -e " + surroundings;
+  const std::string program = is_deck ? std::string(LMP_PROGRAM) + " -in " + surroundings
+                                      : "LMP=" LMP_PROGRAM " LIBRARY=" SPHEROCYLINDER_LIBRARY
+                                        " PROJECT=" DOCS_FOLDER "/.. sh -e " +
+                                            surroundings;
   const std::string command = "cd " + folder.string() + " && export " + kEnvironment +
                               " && timeout " + std::to_string(kTimeLimit) +
                               (is_deck ? " " : " env ") + program + " > output 2>&1";
@@ -179,7 +179,8 @@ TEST_P(AnyPage, LinksLeadSomewhere)
 TEST(ReadMe, LinksLeadSomewhere)
 {
   const fs::path root = fs::path(DOCS_FOLDER).parent_path();
-  for (const char *name : {"README.md", "tests/README.md", "studies/README.md", "studies/packing/README.md"}) {
+  for (const char *name :
+       {"README.md", "tests/README.md", "studies/README.md", "studies/packing/README.md"}) {
     const fs::path file = root / name;
     ASSERT_TRUE(fs::exists(file)) << file;
     for (const std::string &link : read_page(file).links)

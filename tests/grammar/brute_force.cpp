@@ -108,8 +108,8 @@ std::vector<Touch> pair_touches(const State &state, const Material &material, do
         touch.stiffness = pair_stiffness(a, b, material);
         const bool spheres =
             a.half_cylinder() < 1e-3 * a.radius || b.half_cylinder() < 1e-3 * b.radius;
-        touch.plain = closest.distance > 0.1 * reach &&
-                      (spheres || norm(cross(a.axis, b.axis)) > 0.02);
+        touch.plain =
+            closest.distance > 0.1 * reach && (spheres || norm(cross(a.axis, b.axis)) > 0.02);
         touches.push_back(touch);
       }
     }
@@ -145,8 +145,8 @@ std::vector<Touch> wall_touches(const State &state, const std::vector<Wall> &wal
         touch.overlap = rod.radius - gap;
         touch.normal = wall_normal(wall, rod.x + arm, rod.x);
         touch.arm_i = arm - (rod.radius - 0.5 * touch.overlap) * touch.normal;
-        touch.stiffness = material.pair_kn(rod.type, wall.type) *
-                          (material.aspect_scaling ? aspect(rod) : 1.0);
+        touch.stiffness =
+            material.pair_kn(rod.type, wall.type) * (material.aspect_scaling ? aspect(rod) : 1.0);
         touch.plain = gap > 0.05 * rod.radius;
         touches.push_back(touch);
       }

@@ -10,13 +10,13 @@
 namespace grammar {
 
 struct Touch {
-  int i = 0, j = 0;         // ids; j = 0: a wall
-  double reach = 0.0;       // sum of radii; of a wall's touch the rod's diameter
-  double overlap = 0.0;     // > 0
-  Vec3 normal{};            // to rod i
-  Vec3 arm_i{}, arm_j{};    // from the centres to the contact point, midway in the overlap
-  double stiffness = 0.0;   // of model linear
-  bool plain = true;        // false: which points are closest, or on which side, hangs on round-off
+  int i = 0, j = 0;        // ids; j = 0: a wall
+  double reach = 0.0;      // sum of radii; of a wall's touch the rod's diameter
+  double overlap = 0.0;    // > 0
+  Vec3 normal{};           // to rod i
+  Vec3 arm_i{}, arm_j{};   // from the centres to the contact point, midway in the overlap
+  double stiffness = 0.0;  // of model linear
+  bool plain = true;       // false: which points are closest, or on which side, hangs on round-off
 };
 
 // The distance of two axes by golden-section search along the first (to 1e-9 of its length), and

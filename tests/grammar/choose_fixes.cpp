@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Fixes beside the integrator, and what each leaves to hold.
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "draft.h"
 
@@ -192,11 +192,11 @@ void add_other_force(Draft &draft)
   Random &random = draft.random;
   const bool rest = !draft.effects.driven.empty() || !draft.effects.still.empty();
   const std::string group = rest ? "rest" : draft.has_part() && random.chance(0.5) ? "part" : "all";
-  const std::string text = random.pick({
-      "viscous 0.05", "viscous 1.0", "drag 0.0 0.0 0.0 0.5 0.01", "setforce NULL 0.0 NULL",
-      "setforce 0.1 0.0 0.0", "spring/self 50.0", "spring tether 20.0 0.0 0.0 0.0 0.0",
-      "momentum 10 linear 1 1 1", "momentum 20 linear 1 1 1 angular", "lineforce 1 0 0",
-      "planeforce 0 0 1", "aveforce 0.1 0.0 NULL"});
+  const std::string text = random.pick(
+      {"viscous 0.05", "viscous 1.0", "drag 0.0 0.0 0.0 0.5 0.01", "setforce NULL 0.0 NULL",
+       "setforce 0.1 0.0 0.0", "spring/self 50.0", "spring tether 20.0 0.0 0.0 0.0 0.0",
+       "momentum 10 linear 1 1 1", "momentum 20 linear 1 1 1 angular", "lineforce 1 0 0",
+       "planeforce 0 0 1", "aveforce 0.1 0.0 NULL"});
   draft.fix_text += fmt::format("fix other {} {}\n", group, text);
   forget_forces(draft.effects);
   draft.can_restart = false;
@@ -206,17 +206,16 @@ void add_neutral(Draft &draft)
 {
   Random &random = draft.random;
   const long n = draft.unit;
-  const std::string text = random.pick<std::string>({
-      fmt::format("check/timestep/spherocylinder {} 0.9", n),
-      fmt::format("ave/time {0} 2 {1} c_kinetic c_turning file ave.time", n / 5, n),
-      fmt::format("ave/atom {0} 2 {1} vx vz", n / 5, n),
-      fmt::format("ave/histo {0} 2 {1} -2 2 10 vx mode vector file ave.histo", n / 5, n),
-      fmt::format("ave/histo {0} 2 {1} 0 4 5 c_contacts mode vector file ave.histo", n / 5, n),
-      fmt::format("print {} \"at $(step)\" file printed", n),
-      "store/force", "store/state 0 x y z vx vy vz",
-      "property/atom mark scalar yes yes no 1.0",
-      fmt::format("balance {} 1.05 shift xyz 10 1.02", 2 * n),
-      fmt::format("ave/spatial {0} 2 {1} z lower 0.05 vx units box file ave.spatial", n / 5, n)});
+  const std::string text = random.pick<std::string>(
+      {fmt::format("check/timestep/spherocylinder {} 0.9", n),
+       fmt::format("ave/time {0} 2 {1} c_kinetic c_turning file ave.time", n / 5, n),
+       fmt::format("ave/atom {0} 2 {1} vx vz", n / 5, n),
+       fmt::format("ave/histo {0} 2 {1} -2 2 10 vx mode vector file ave.histo", n / 5, n),
+       fmt::format("ave/histo {0} 2 {1} 0 4 5 c_contacts mode vector file ave.histo", n / 5, n),
+       fmt::format("print {} \"at $(step)\" file printed", n), "store/force",
+       "store/state 0 x y z vx vy vz", "property/atom mark scalar yes yes no 1.0",
+       fmt::format("balance {} 1.05 shift xyz 10 1.02", 2 * n),
+       fmt::format("ave/spatial {0} 2 {1} z lower 0.05 vx units box file ave.spatial", n / 5, n)});
   draft.fix_text += fmt::format("fix neutral{} all {}\n", draft.fix_text.size(), text);
 }
 
@@ -235,16 +234,17 @@ void add_doubtful(Draft &draft)
       "multisphere", "continuum/weighted", "lb/couple/onetoone", "nonsense 1 2 3",
       "ave/euler nevery 10 cell_size_relative 3.0 parallel no", "external pf/callback 1 1"});
   // clang-format on
-  draft.fix_text += fmt::format("variable grow equal 0.01+1e-6*step\nfix doubtful {} {}\n", group,
-                                text);
+  draft.fix_text +=
+      fmt::format("variable grow equal 0.01+1e-6*step\nfix doubtful {} {}\n", group, text);
   if (text == "heat/gran/conduction initial_temperature 300.0") {
     std::string values;
-    const int types =
-        draft.plan.material.types + (draft.setting == Setting::UnusedType ? 1 : 0);
+    const int types = draft.plan.material.types + (draft.setting == Setting::UnusedType ? 1 : 0);
     for (int k = 0; k < types; k++) values += " 100.0";
     draft.fix_text = fmt::format("fix thermalConductivity all property/global thermalConductivity "
                                  "peratomtype{0}\nfix thermalCapacity all property/global "
-                                 "thermalCapacity peratomtype{0}\n", values) + draft.fix_text;
+                                 "thermalCapacity peratomtype{0}\n",
+                                 values) +
+                     draft.fix_text;
     return;
   }
   forget_forces(draft.effects);
@@ -263,8 +263,10 @@ void choose_fixes(Draft &draft)
   if (random.chance(draft.plan.walls.empty() ? 0.2 : 0.6)) add_gravity(draft);
   if (draft.has_part()) {
     const double which = random.uniform(0.0, 1.0);
-    if (which < 0.3) hold_part(draft);
-    else if (which < 0.55) move_part(draft);
+    if (which < 0.3)
+      hold_part(draft);
+    else if (which < 0.55)
+      move_part(draft);
   }
   if (random.chance(0.12)) push(draft);
   if (random.chance(0.06)) float_rods(draft);

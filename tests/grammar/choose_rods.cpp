@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rods placed one by one, or templates and an insertion command.
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 #include "draft.h"
 
@@ -50,10 +50,12 @@ std::string face(const Draft &draft)
   }
   const double z = 0.5 * (draft.inside_lo[2] + draft.inside_hi[2]) - 0.5 * draft.longest();
   const auto facet = [&](double x, double y) {
-    return fmt::format("facet normal 0 0 1\n outer loop\n  vertex {0} {1} {4}\n  vertex {2} {1} {4}\n"
-                       "  vertex {2} {3} {4}\n endloop\nendfacet\n"
-                       "facet normal 0 0 1\n outer loop\n  vertex {0} {1} {4}\n  vertex {2} {3} {4}\n"
-                       "  vertex {0} {3} {4}\n endloop\nendfacet\n", lo[0], lo[1], x, y, z);
+    return fmt::format(
+        "facet normal 0 0 1\n outer loop\n  vertex {0} {1} {4}\n  vertex {2} {1} {4}\n"
+        "  vertex {2} {3} {4}\n endloop\nendfacet\n"
+        "facet normal 0 0 1\n outer loop\n  vertex {0} {1} {4}\n  vertex {2} {3} {4}\n"
+        "  vertex {0} {3} {4}\n endloop\nendfacet\n",
+        lo[0], lo[1], x, y, z);
   };
   return "solid face\n" + facet(hi[0], hi[1]) + "endsolid face\n";
 }
@@ -78,29 +80,31 @@ void choose_insertion(Draft &draft)
   switch (draft.making) {
     case Making::Pack:
       text += fmt::format("fix pour all insert/pack {} insert_every once region feed "
-                          "particles_in_region {}\n", common, rods);
+                          "particles_in_region {}\n",
+                          common, rods);
       draft.plan.fewest_rods = rods;
       break;
     case Making::RefilledPack:
-      text += fmt::format("fix pour all insert/pack {} insert_every {} region feed {}\n", common,
-                          every,
-                          random.chance(0.5) ? fmt::format("particles_in_region {}", rods)
-                                             : std::string("volumefraction_region 0.01"));
+      text +=
+          fmt::format("fix pour all insert/pack {} insert_every {} region feed {}\n", common, every,
+                      random.chance(0.5) ? fmt::format("particles_in_region {}", rods)
+                                         : std::string("volumefraction_region 0.01"));
       draft.plan.most_rods = 100000;
       break;
     case Making::Stream:
       draft.plan.files["face.stl"] = face(draft);
       text += fmt::format("fix face all mesh/surface/planar file face.stl type 1\n"
                           "fix pour all insert/stream {} nparticles {} particlerate {:.6g} "
-                          "insertion_face face extrude_length {:.6g}\n", common, rods,
-                          rods / (draft.dt * 300.0), 2.5 * draft.longest());
+                          "insertion_face face extrude_length {:.6g}\n",
+                          common, rods, rods / (draft.dt * 300.0), 2.5 * draft.longest());
       draft.effects.forces_known = false;  // rods on their way to the face fly at a set speed
       draft.effects.energy_may_grow = true;
       break;
     default:
-      text += fmt::format("fix pour all insert/rate/region {} nparticles {} particlerate {:.6g} "
-                          "insert_every {} region feed\n", common, rods,
-                          rods / (draft.dt * static_cast<double>(every) * 2.0), every);
+      text +=
+          fmt::format("fix pour all insert/rate/region {} nparticles {} particlerate {:.6g} "
+                      "insert_every {} region feed\n",
+                      common, rods, rods / (draft.dt * static_cast<double>(every) * 2.0), every);
   }
   draft.effects.inserting = true;
   draft.can_restart = random.chance(0.3);
@@ -112,9 +116,9 @@ void choose_insertion(Draft &draft)
 void choose_rods(Draft &draft)
 {
   using M = Making;
-  draft.making = draft.random.pick(
-      {M::DataFile, M::DataFile, M::DataFile, M::DataFile, M::DataFile, M::DataFile, M::DataFile,
-       M::ByHand, M::Pack, M::Pack, M::RefilledPack, M::Rate, M::Stream});
+  draft.making = draft.random.pick({M::DataFile, M::DataFile, M::DataFile, M::DataFile, M::DataFile,
+                                    M::DataFile, M::DataFile, M::ByHand, M::Pack, M::Pack,
+                                    M::RefilledPack, M::Rate, M::Stream});
   if (draft.making == M::ByHand) draft.plan.most_rods = std::min(draft.plan.most_rods, 12);
   if (draft.making == M::DataFile || draft.making == M::ByHand)
     place_rods(draft);

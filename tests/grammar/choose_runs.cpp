@@ -16,8 +16,10 @@ std::string run_command(Draft &draft, Run &run)
   run.steps = steps;
   const double which = random.uniform(0.0, 1.0);
   std::string text = fmt::format("run {}", steps);
-  if (which < 0.06) text += " post no";
-  else if (which < 0.12) text += fmt::format(" every {} \"print here\"", draft.unit);
+  if (which < 0.06)
+    text += " post no";
+  else if (which < 0.12)
+    text += fmt::format(" every {} \"print here\"", draft.unit);
   else if (which < 0.2) {
     run.steps += draft.unit;
     text += fmt::format("\nrun {} pre no", draft.unit);

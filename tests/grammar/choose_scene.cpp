@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sizes of rods, the box, its boundaries and walls.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "draft.h"
 
@@ -94,9 +94,9 @@ void add_plane(Draft &draft, int d, double position)
                                    wall.way_in_a_step);
     place = "v_place_" + wall.id;
   }
-  draft.wall_text += fmt::format("fix {} all wall/gran {} primitive type {} {}plane {}{}{}\n",
-                                 wall.id, draft.models, wall.type, kNames[d], place, motion.words,
-                                 draft.keywords);
+  draft.wall_text +=
+      fmt::format("fix {} all wall/gran {} primitive type {} {}plane {}{}{}\n", wall.id,
+                  draft.models, wall.type, kNames[d], place, motion.words, draft.keywords);
   draft.plan.walls.push_back(wall);
 }
 
@@ -134,9 +134,9 @@ void add_cylinder(Draft &draft)
                          draft.random.uniform(-2.0, 2.0));
     draft.effects.energy_may_grow = true;
   }
-  draft.wall_text += fmt::format(
-      "fix side all wall/gran {} primitive type {} {}cylinder {:.17g} 0.0 0.0{}{}\n",
-      draft.models, wall.type, kNames[d], wall.radius, motion, draft.keywords);
+  draft.wall_text +=
+      fmt::format("fix side all wall/gran {} primitive type {} {}cylinder {:.17g} 0.0 0.0{}{}\n",
+                  draft.models, wall.type, kNames[d], wall.radius, motion, draft.keywords);
   draft.plan.walls.push_back(wall);
   if (draft.random.chance(0.7))
     close_by_planes(draft, d);

@@ -35,7 +35,7 @@ struct Draft {
   std::vector<Kind> kinds;
   Box box;
   std::string boundary[3];
-  std::map<int, Rod> rods;  // of a data file
+  std::map<int, Rod> rods;            // of a data file
   double inside_lo[3], inside_hi[3];  // between the walls
   double dt = 2e-5;
   long unit = 20;  // steps between two dumps; all steps are multiples
@@ -52,22 +52,22 @@ struct Draft {
   std::vector<int> part;           // its ids
 
   Effects effects;
-  bool ids_known = true;    // groups by id still mean the same rods
+  bool ids_known = true;  // groups by id still mean the same rods
   bool can_restart = true;
   long step = 0;
-  int groups = 0;           // made between runs, each of its own name
+  int groups = 0;  // made between runs, each of its own name
 
   double longest() const;
   bool has_part() const { return !part.empty(); }
 };
 
 void choose_material(Draft &draft);
-void choose_scene(Draft &draft);      // kinds, box, walls
-void choose_rods(Draft &draft);       // data file or insertion
+void choose_scene(Draft &draft);  // kinds, box, walls
+void choose_rods(Draft &draft);   // data file or insertion
 void choose_fixes(Draft &draft);
 void choose_computes(Draft &draft);
-void choose_runs(Draft &draft);       // runs and what happens between them
-void spoil_deck(Draft &draft);        // a mistake in one line
+void choose_runs(Draft &draft);  // runs and what happens between them
+void spoil_deck(Draft &draft);   // a mistake in one line
 
 void place_rods(Draft &draft);
 std::string data_file(const Draft &draft);

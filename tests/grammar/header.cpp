@@ -24,8 +24,7 @@ std::string pair_property(const Draft &draft, const std::string &name, double va
   std::string line =
       fmt::format("fix {0} all property/global {0} peratomtypepair {1}", name, types);
   for (int i = 0; i < types; i++)
-    for (int j = 0; j < types; j++)
-      line += fmt::format(" {:.17g}", value * factor(i) * factor(j));
+    for (int j = 0; j < types; j++) line += fmt::format(" {:.17g}", value * factor(i) * factor(j));
   return line + "\n";
 }
 
@@ -42,8 +41,8 @@ std::string properties(const Draft &draft)
   std::string text = pair_property(draft, "coefficientRestitution", m.restitution) +
                      pair_property(draft, "coefficientFriction", m.friction);
   if (m.normal == "linear") {
-    text += pair_property(draft, "kn", m.kn, true) +
-            pair_property(draft, "kt", 2.0 / 7.0 * m.kn, true);
+    text +=
+        pair_property(draft, "kn", m.kn, true) + pair_property(draft, "kt", 2.0 / 7.0 * m.kn, true);
   } else if (m.normal == "hooke/stiffness") {
     text += pair_property(draft, "kn", m.kn) + pair_property(draft, "kt", 2.0 / 7.0 * m.kn) +
             pair_property(draft, "gamman", m.elastic() ? 0.0 : 2000.0) +
@@ -77,16 +76,17 @@ std::string box_command(const Draft &draft)
 
 std::string data_file(const Draft &draft)
 {
-  std::string text = fmt::format("rods\n\n{} atoms\n{} atom types\n\n", draft.rods.size(),
-                                 types_in(draft));
+  std::string text =
+      fmt::format("rods\n\n{} atoms\n{} atom types\n\n", draft.rods.size(), types_in(draft));
   for (int d = 0; d < 3; d++)
-    text += fmt::format("{0:.17g} {1:.17g} {2}lo {2}hi\n", draft.box.lo[d], draft.box.hi[d],
-                        "xyz"[d]);
+    text +=
+        fmt::format("{0:.17g} {1:.17g} {2}lo {2}hi\n", draft.box.lo[d], draft.box.hi[d], "xyz"[d]);
   std::string atoms, velocities;
   for (const auto &[id, rod] : draft.rods) {
     atoms += fmt::format("{} {} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} "
-                         "{:.17g}\n", id, rod.type, 2.0 * rod.radius, rod.length, rod.density,
-                         rod.x.x, rod.x.y, rod.x.z, rod.axis.x, rod.axis.y, rod.axis.z);
+                         "{:.17g}\n",
+                         id, rod.type, 2.0 * rod.radius, rod.length, rod.density, rod.x.x, rod.x.y,
+                         rod.x.z, rod.axis.x, rod.axis.y, rod.axis.z);
     velocities += fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", id, rod.v.x,
                               rod.v.y, rod.v.z, rod.omega.x, rod.omega.y, rod.omega.z);
   }
@@ -113,9 +113,9 @@ std::string header(const Draft &draft, const std::string &source)
   text += fmt::format("pair_style gran {}{}{}{}\npair_coeff * *\n", draft.models,
                       draft.keywords + draft.sudden_overlap,
                       draft.plan.material.spread ? "" : " spread_contact off",
-                      other_skins                     ? " close_skin 0.002"
-                      : draft.close_skin == "auto"    ? ""
-                                                      : " close_skin " + draft.close_skin);
+                      other_skins                  ? " close_skin 0.002"
+                      : draft.close_skin == "auto" ? ""
+                                                   : " close_skin " + draft.close_skin);
   text += draft.wall_text + draft.part_text;
   text += fmt::format("fix motion {} nve/spherocylinder\n", draft.integrated);
   text += "compute kinetic all ke\ncompute turning all erotate/spherocylinder\n"
@@ -125,8 +125,8 @@ std::string header(const Draft &draft, const std::string &source)
     text += "fix spread_rods all balance 20 1.01 shift xyz 10 1.01\n";
   text += draft.compute_text;
   text += fmt::format("thermo_style custom step atoms{}\nthermo_modify norm no lost {} format "
-                      "float %.17g\nthermo {}\ntimestep {}\n", draft.thermo_columns,
-                      draft.lost, draft.unit, draft.dt);
+                      "float %.17g\nthermo {}\ntimestep {}\n",
+                      draft.thermo_columns, draft.lost, draft.unit, draft.dt);
   return text;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What must hold from the first to the last state of a run.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "brute_force.h"
 #include "judge.h"
@@ -126,22 +126,23 @@ void check_energy(const Plan &plan, const Run &run, const State &from, const Sta
   const double tolerance = 0.05 * (start + scale) + 1e-12;
   if (end > start + extra * before + work + tolerance)
     throw Wrong(fmt::format("kinetic energy {:.4g} at step {}, at most {:.4g} (kinetic and of "
-                            "springs at step {}) and work {:.3g}", end, to.step,
-                            start + extra * before, from.step, work));
+                            "springs at step {}) and work {:.3g}",
+                            end, to.step, start + extra * before, from.step, work));
   held().energy++;
   const bool closed = m.elastic() && m.tangential == "off" && m.rolling.empty() && !m.spread &&
                       run.effects.conservative;
   if (closed && end + after < start + work - tolerance)
     throw Wrong(fmt::format("energy {:.4g} at step {} of elastic rods, {:.4g} at step {}, work "
-                            "{:.3g}", end + after, to.step, start, from.step, work));
+                            "{:.3g}",
+                            end + after, to.step, start, from.step, work));
   held().energy_kept += closed;
 }
 
 // How far a point of the rod may come in a time; forces that are small beside its motion included.
 double reach_of(const Rod &a, const Rod &b, const Vec3 &pull, double time)
 {
-  const double speed = std::max(norm(a.v) + norm(a.omega) * a.length,
-                                norm(b.v) + norm(b.omega) * b.length);
+  const double speed =
+      std::max(norm(a.v) + norm(a.omega) * a.length, norm(b.v) + norm(b.omega) * b.length);
   return 1.1 * speed * time + norm(pull) * time * time;
 }
 
@@ -177,7 +178,8 @@ void check_flight(const Plan &plan, const Run &run, const State &from, const Sta
     const double other_v = norm(now.v - wanted_v), off = norm(way_of(rod, now, from.box) - way);
     if (other_v > 1e-9 * (norm(wanted_v) + norm(rod.v)) + 1e-14 || off > 1e-9 * size)
       throw Wrong(fmt::format("rod {} met nobody, but to step {} its velocity is off by {:.3g} and "
-                              "its place by {:.3g}", id, to.step, other_v, off));
+                              "its place by {:.3g}",
+                              id, to.step, other_v, off));
     held().flights++;
     const Vec3 J = rod.angular_momentum();
     if (run.effects.omega_limit > 0.0 || norm(J) == 0.0) continue;
@@ -188,7 +190,8 @@ void check_flight(const Plan &plan, const Run &run, const State &from, const Sta
         turned(rod.axis, (1.0 / norm(J)) * J, norm(J) * time / rod.inertia_transverse());
     if (norm(now.axis - axis) > 1e-7)
       throw Wrong(fmt::format("rod {} met nobody, but its axis at step {} is not that of a free "
-                              "rod", id, to.step));
+                              "rod",
+                              id, to.step));
   }
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sentences, thermo output, local rows, twins; and the whole of a right end.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "brute_force.h"
 #include "deck_run.h"
@@ -82,7 +82,8 @@ void check_row(const Material &m, const Touch &touch, const std::vector<double> 
   if (norm(normal - side * touch.normal) > 1e-5) wrong("another normal than by search");
   const Vec3 point{row[7], row[8], row[9]};
   const Vec3 arm = i == touch.i ? touch.arm_i : touch.arm_j;
-  if (norm(last.box.nearest(point - last.rods.at(i).x) - last.box.nearest(arm)) > 1e-5 * touch.reach)
+  if (norm(last.box.nearest(point - last.rods.at(i).x) - last.box.nearest(arm)) >
+      1e-5 * touch.reach)
     wrong("another contact point than by search");
 }
 
@@ -90,8 +91,7 @@ void check_row(const Material &m, const Touch &touch, const std::vector<double> 
 bool has_left(const Rod &rod, const Box &box)
 {
   for (int d = 0; d < 3; d++)
-    if (!box.periodic[d] &&
-        (component(rod.x, d) < box.lo[d] || component(rod.x, d) >= box.hi[d]))
+    if (!box.periodic[d] && (component(rod.x, d) < box.lo[d] || component(rod.x, d) >= box.hi[d]))
       return true;
   return false;
 }
@@ -265,7 +265,8 @@ State judge_results(const Plan &plan, const std::filesystem::path &folder,
     return !run.effects.driven.empty() || run.effects.unknown_held;
   });
   if (static_cast<int>(last.rods.size()) < plan.fewest_rods && plan.walls.size() > 5 && !drives)
-    throw Wrong(fmt::format("{} rods of {} in a closed vessel", last.rods.size(), plan.fewest_rods));
+    throw Wrong(
+        fmt::format("{} rods of {} in a closed vessel", last.rods.size(), plan.fewest_rods));
   check_thermo(plan, output, last);
   if (plan.local_rows) check_rows(plan, folder / "dump.rows", last);
   return last;

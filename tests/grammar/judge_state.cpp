@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What must hold at one time step.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "brute_force.h"
 #include "judge.h"
@@ -133,8 +133,8 @@ void check_start(const Run &run, State before, const State &first)
   if (!run.start_known || run.effects.box_changes || !first.box.exact) return;
   for (const auto &change : run.changes) change(before);
   const auto wrong = [&](const Rod &rod, const std::string &what) {
-    throw Wrong(fmt::format("rod {} at the start of the run from step {}: {}", rod.id, first.step,
-                            what));
+    throw Wrong(
+        fmt::format("rod {} at the start of the run from step {}: {}", rod.id, first.step, what));
   };
   std::set<int> found;
   for (const auto &[old_id, rod] : before.rods) {
@@ -147,7 +147,8 @@ void check_start(const Run &run, State before, const State &first)
       if (first.rods.count(old_id) && !run.new_ids) {
         const Rod &there = first.rods.at(old_id);
         wrong(rod, fmt::format("at {:.9g} {:.9g} {:.9g} instead of {:.9g} {:.9g} {:.9g}, off by "
-                               "{:.3g}", there.x.x, there.x.y, there.x.z, rod.x.x, rod.x.y, rod.x.z,
+                               "{:.3g}",
+                               there.x.x, there.x.y, there.x.z, rod.x.x, rod.x.y, rod.x.z,
                                norm(first.box.nearest(there.x - rod.x))));
       }
       bool outside = false;

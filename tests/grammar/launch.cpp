@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "launch.h"
 
-#include <fmt/format.h>
-#include <sys/wait.h>
-
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+
+#include <fmt/format.h>
+#include <sys/wait.h>
 
 #include "judge.h"
 

@@ -37,11 +37,13 @@ void write_runs(Draft &draft)
     plan.deck += run.before + dump_commands("frames", run.dump, draft.unit);
     const bool last = k + 1 == plan.runs.size();
     if (plan.local_rows && last)
-      plan.deck += fmt::format("dump rows_dump all local {} dump.rows c_rows[1] c_rows[2] c_rows[3] "
-                               "c_rows[4] c_rows[5] c_rows[6] c_rows[7] c_rows[8] c_rows[9] "
-                               "c_rows[10] c_rows[11] c_rows[12] c_rows[13]\n"
-                               "dump_modify rows_dump format \"%.17g %.17g %.17g %.17g %.17g %.17g "
-                               "%.17g %.17g %.17g %.17g %.17g %.17g %.17g\"\n", draft.unit);
+      plan.deck +=
+          fmt::format("dump rows_dump all local {} dump.rows c_rows[1] c_rows[2] c_rows[3] "
+                      "c_rows[4] c_rows[5] c_rows[6] c_rows[7] c_rows[8] c_rows[9] "
+                      "c_rows[10] c_rows[11] c_rows[12] c_rows[13]\n"
+                      "dump_modify rows_dump format \"%.17g %.17g %.17g %.17g %.17g %.17g "
+                      "%.17g %.17g %.17g %.17g %.17g %.17g %.17g\"\n",
+                      draft.unit);
     plan.deck += run.command + "undump frames\n";
   }
   plan.deck += "print \"the end of the deck\"\n";

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "pause.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace grammar {
 
@@ -150,8 +150,8 @@ void Pause::delete_some()
     } else {
       if (which < 0.85)
         add(fmt::format("region all_of{0} block INF INF INF INF INF INF units box\n"
-                        "delete_atoms porosity all_of{0} 0.3 {1}{2}\n", draft_.groups++,
-                        random_.seed(), compress));
+                        "delete_atoms porosity all_of{0} 0.3 {1}{2}\n",
+                        draft_.groups++, random_.seed(), compress));
       else
         add(fmt::format("delete_atoms overlap 0.01 all all{}\n", compress));
       run_.start_known = false;
@@ -167,8 +167,8 @@ void Pause::rotate(const std::string &group, const Has &has)
   if (!draft_.plan.walls.empty() && random_.chance(0.8)) return;
   const Vec3 point = 0.3 * draft_.longest() * random_.direction(), axis = random_.direction();
   const double angle = random_.pick({1.0, 30.0, 90.0, -45.0});
-  add(fmt::format("displace_atoms {} rotate {} {} {} units box\n", group, words(point),
-                  words(axis), angle));
+  add(fmt::format("displace_atoms {} rotate {} {} {} units box\n", group, words(point), words(axis),
+                  angle));
   const double radians = angle * std::acos(-1.0) / 180.0;
   change(has, [=](Rod &rod) {
     rod.x = point + turned(rod.x - point, axis, radians);
@@ -265,9 +265,7 @@ void Pause::set_something()
     }
     case 3: set("vz -0.5", [](Rod &rod) { rod.v.z = -0.5; }); break;
     case 4: set("axis 0.0 0.6 0.8", [](Rod &rod) { rod.axis = {0.0, 0.6, 0.8}; }); break;
-    case 5:
-      set("quat 1 0 0 90", [](Rod &rod) { rod.axis = {0.0, -1.0, 0.0}; });
-      break;
+    case 5: set("quat 1 0 0 90", [](Rod &rod) { rod.axis = {0.0, -1.0, 0.0}; }); break;
     case 6: {
       const Kind &kind = draft_.kinds.front();
       set(fmt::format("diameter {:.17g} length {:.17g}", 2.0 * kind.radius, kind.length),
@@ -306,8 +304,8 @@ void Pause::change_box()
   if (draft_.boundary[d] != "f") return;
   draft_.box.lo[d] -= 0.01;
   draft_.box.hi[d] += 0.02;
-  add(fmt::format("change_box all {} final {:.17g} {:.17g} units box\n", "xyz"[d],
-                  draft_.box.lo[d], draft_.box.hi[d]));
+  add(fmt::format("change_box all {} final {:.17g} {:.17g} units box\n", "xyz"[d], draft_.box.lo[d],
+                  draft_.box.hi[d]));
 }
 
 void Pause::renumber_steps()
@@ -350,18 +348,34 @@ void Pause::do_something_seldom()
 {
   const std::string id = fmt::format("{}", draft_.groups++);
   add(random_.pick<std::string>(
-      {"minimize 1.0e-4 1.0e-6 10 10\n", "velocity all create 300.0 10007\n",
+      {"minimize 1.0e-4 1.0e-6 10 10\n",
+       "velocity all create 300.0 10007\n",
        "create_atoms 1 single 0.0 0.0 0.0 units box\n",
        fmt::format("region new{0} sphere 0.001 0.002 0.003 0.0001 units box\n"
                    "create_atoms 1 single 0.001 0.002 0.003 units box\ngroup new{0} region new{0}\n"
-                   "set group new{0} diameter 0.004 length 0.008 density 2700 axis 1 1 0\n", id),
-       "read_dump dump.0 0 x y z\n", "read_dump dump.0 0 x y z vx vy vz replace yes\n",
-       "read_dump dump.0 0 x y z purge yes add yes\n", "replicate 2 1 1 offset 1.0 1.0 1.0\n",
-       "rerun dump.0 dump x y z\n", "atom_modify sort 0 0.0\n", "processors * * 1\n",
-       "communicate multi\n", "communicate single vel no\n", "newton on\n", "dimension 2\n",
-       "atom_style sphere\n", "pair_style none\n", "neigh_modify exclude type 1 1\n",
-       "neigh_modify include all\n", "write_restart a_file\n", "write_data a_file\n",
-       "fix motion all nve\n", "unfix motion\n", "pair_coeff 1 1\n", "nonsense\n"}));
+                   "set group new{0} diameter 0.004 length 0.008 density 2700 axis 1 1 0\n",
+                   id),
+       "read_dump dump.0 0 x y z\n",
+       "read_dump dump.0 0 x y z vx vy vz replace yes\n",
+       "read_dump dump.0 0 x y z purge yes add yes\n",
+       "replicate 2 1 1 offset 1.0 1.0 1.0\n",
+       "rerun dump.0 dump x y z\n",
+       "atom_modify sort 0 0.0\n",
+       "processors * * 1\n",
+       "communicate multi\n",
+       "communicate single vel no\n",
+       "newton on\n",
+       "dimension 2\n",
+       "atom_style sphere\n",
+       "pair_style none\n",
+       "neigh_modify exclude type 1 1\n",
+       "neigh_modify include all\n",
+       "write_restart a_file\n",
+       "write_data a_file\n",
+       "fix motion all nve\n",
+       "unfix motion\n",
+       "pair_coeff 1 1\n",
+       "nonsense\n"}));
   run_.start_known = false;
   draft_.plan.most_rods *= 3;
   draft_.plan.fewest_rods = 0;
@@ -376,9 +390,9 @@ void Pause::do_something_seldom()
 
 void Pause::do_little()
 {
-  const std::string text = random_.pick(
-      {"run 0\n", "neigh_modify every 1 delay 0 check yes\n", "neigh_modify every 2 delay 4\n",
-       "print \"a pause\"\n", "fix weight all gravity 0.0 vector 0 0 -1\n"});
+  const std::string text = random_.pick({"run 0\n", "neigh_modify every 1 delay 0 check yes\n",
+                                         "neigh_modify every 2 delay 4\n", "print \"a pause\"\n",
+                                         "fix weight all gravity 0.0 vector 0 0 -1\n"});
   const bool weight = text.find("gravity") != std::string::npos;
   if (weight && draft_.fix_text.find("buoyancy") != std::string::npos) return;
   add(text);

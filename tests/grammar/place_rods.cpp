@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rods of a data file or made by hand, placed by rejection.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "brute_force.h"
 #include "draft.h"
@@ -51,8 +51,8 @@ void put_beside(Random &random, const Rod &other, double deepest, Rod &rod)
   const Vec3 normal = ((random.chance(0.5) ? 1.0 : -1.0) / norm(across)) * across;
   const double reach = other.radius + rod.radius;
   const double apart = reach * (1.0 - random.uniform(-0.05, 0.95 * deepest));
-  rod.x = other.x + random.uniform(-1.0, 1.0) * other.half_cylinder() * other.axis + apart * normal -
-          random.uniform(-1.0, 1.0) * rod.half_cylinder() * rod.axis;
+  rod.x = other.x + random.uniform(-1.0, 1.0) * other.half_cylinder() * other.axis +
+          apart * normal - random.uniform(-1.0, 1.0) * rod.half_cylinder() * rod.axis;
 }
 
 // With one end in the wall, or nearly.
@@ -61,8 +61,7 @@ void put_at_wall(Random &random, const Wall &wall, double deepest, Rod &rod)
   if (wall.cylinder) return;
   double lower = 1e30;
   for (const double end : {-1.0, 1.0})
-    lower = std::min(lower,
-                     wall_gap(wall, rod.x + end * rod.half_cylinder() * rod.axis, rod.x));
+    lower = std::min(lower, wall_gap(wall, rod.x + end * rod.half_cylinder() * rod.axis, rod.x));
   const double inwards = component(rod.x, wall.dim) > wall.position ? 1.0 : -1.0;
   component(rod.x, wall.dim) +=
       inwards * (rod.radius * (1.0 - random.uniform(-0.05, 0.95 * deepest)) - lower);
@@ -95,11 +94,16 @@ void place_rods(Draft &draft)
       rod.v = random.uniform(0.0, fastest) * random.direction();
       rod.omega = random.uniform(0.0, 2.0 * fastest / rod.length) * random.direction();
       if (!draft.rods.empty() && random.chance(crowded))
-        put_beside(random, std::next(draft.rods.begin(), random.integer(0, static_cast<int>(
-                               draft.rods.size()) - 1))->second, deepest, rod);
+        put_beside(random,
+                   std::next(draft.rods.begin(),
+                             random.integer(0, static_cast<int>(draft.rods.size()) - 1))
+                       ->second,
+                   deepest, rod);
       else if (!draft.plan.walls.empty() && random.chance(crowded))
-        put_at_wall(random, draft.plan.walls[random.integer(
-                                0, static_cast<int>(draft.plan.walls.size()) - 1)], deepest, rod);
+        put_at_wall(
+            random,
+            draft.plan.walls[random.integer(0, static_cast<int>(draft.plan.walls.size()) - 1)],
+            deepest, rod);
       if (!in_box(draft.box, rod.x) || !fits(draft, rod, deepest)) continue;
       id += gaps_in_ids ? random.integer(1, 4) : 1;
       rod.id = id;
@@ -117,11 +121,13 @@ std::string rods_by_hand(const Draft &draft)
     text += fmt::format("create_atoms {} single {:.17g} {:.17g} {:.17g} units box\n", rod.type,
                         rod.x.x, rod.x.y, rod.x.z);
     text += fmt::format("set atom {} diameter {:.17g} length {:.17g} density {:.17g} axis {:.17g} "
-                        "{:.17g} {:.17g}\n", id, 2.0 * rod.radius, rod.length, rod.density,
-                        rod.axis.x, rod.axis.y, rod.axis.z);
-    text += fmt::format("set atom {} vx {:.17g} vy {:.17g} vz {:.17g} omegax {:.17g} omegay {:.17g} "
-                        "omegaz {:.17g}\n", id, rod.v.x, rod.v.y, rod.v.z, rod.omega.x, rod.omega.y,
-                        rod.omega.z);
+                        "{:.17g} {:.17g}\n",
+                        id, 2.0 * rod.radius, rod.length, rod.density, rod.axis.x, rod.axis.y,
+                        rod.axis.z);
+    text +=
+        fmt::format("set atom {} vx {:.17g} vy {:.17g} vz {:.17g} omegax {:.17g} omegay {:.17g} "
+                    "omegaz {:.17g}\n",
+                    id, rod.v.x, rod.v.y, rod.v.z, rod.omega.x, rod.omega.y, rod.omega.z);
   }
   return text;
 }

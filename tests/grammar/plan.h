@@ -37,10 +37,10 @@ struct Material {
 struct Wall {
   std::string id;
   bool cylinder = false;
-  int dim = 2;                        // of a plane's normal, of a cylinder's axis
-  double position = 0.0;              // of a plane, at step 0
-  double way_in_a_step = 0.0;         // of a plane along its normal
-  double radius = 0.0;                // of a cylinder whose axis goes through the origin
+  int dim = 2;                 // of a plane's normal, of a cylinder's axis
+  double position = 0.0;       // of a plane, at step 0
+  double way_in_a_step = 0.0;  // of a plane along its normal
+  double radius = 0.0;         // of a cylinder whose axis goes through the origin
   int type = 1;
 
   Wall at(long step) const
@@ -57,22 +57,22 @@ using Driven = std::function<Rod(const Rod &at_start, double t)>;
 // What holds during one run.
 struct Effects {
   Vec3 gravity{0.0, 0.0, 0.0};
-  std::map<int, Vec3> added_force;   // of a constant addforce, by id
-  bool forces_known = true;          // contacts, weight and added forces are all there is
-  bool only_internal = true;         // but for weight, rods feel each other alone: momentum
+  std::map<int, Vec3> added_force;  // of a constant addforce, by id
+  bool forces_known = true;         // contacts, weight and added forces are all there is
+  bool only_internal = true;        // but for weight, rods feel each other alone: momentum
   bool energy_may_grow = false;
-  bool conservative = true;          // nothing takes energy but the contacts
+  bool conservative = true;  // nothing takes energy but the contacts
   bool inserting = false;
   bool box_changes = false;
-  int deformed = -1;                 // dimension of a box that grows about its middle
-  double rate = 0.0;                 // by this share in a unit of time
-  long every = 1;                    // in one step of so many
-  bool remaps_x = false;             // the rods go with it
-  bool counts_all_pairs = true;      // false: some pairs are excluded
-  std::set<int> still;               // frozen, or without a way to move
+  int deformed = -1;             // dimension of a box that grows about its middle
+  double rate = 0.0;             // by this share in a unit of time
+  long every = 1;                // in one step of so many
+  bool remaps_x = false;         // the rods go with it
+  bool counts_all_pairs = true;  // false: some pairs are excluded
+  std::set<int> still;           // frozen, or without a way to move
   std::map<int, Driven> driven;
-  bool unknown_held = false;         // rods whose numbers are not known are still or driven
-  double omega_limit = 0.0;          // largest angular velocity, 0: none
+  bool unknown_held = false;  // rods whose numbers are not known are still or driven
+  double omega_limit = 0.0;   // largest angular velocity, 0: none
 };
 
 struct Run {
@@ -98,8 +98,8 @@ struct Plan {
   std::string deck;
   std::map<std::string, std::string> files;  // name, text
   std::vector<Run> runs;
-  Box box;                                   // at the start
-  std::map<int, Rod> start;                  // the data file's rods
+  Box box;                   // at the start
+  std::map<int, Rod> start;  // the data file's rods
   Material material;
   std::vector<Wall> walls;
   int fewest_rods = 0, most_rods = 0;

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Runs random decks by their numbers and judges each: right, refused with a sentence, or wrong.
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -10,6 +7,9 @@
 #include <fstream>
 #include <mutex>
 #include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "judge.h"
 #include "launch.h"
@@ -128,13 +128,16 @@ void report(Tally &tally)
 {
   const long decks = tally.right + tally.refused + tally.wrong;
   fmt::print("{} decks: {} right ({} of them in a second setting as well), {} refused with a "
-             "sentence, {} wrong\n", decks, tally.right, tally.twins, tally.refused, tally.wrong);
+             "sentence, {} wrong\n",
+             decks, tally.right, tally.twins, tally.refused, tally.wrong);
   const Held &h = held();
-  fmt::print("Held: {} states with {} contacts by search, {} rods that touch nothing, {} rods by the "
-             "springs of their contacts, {} starts of runs, {} rows; momentum {}, angular momentum {}, "
-             "energy {} (kept by elastic rods: {}) times; {} free flights, {} driven and held rods\n",
-             h.states.load(), h.contacts.load(), h.rods_alone.load(), h.forces_by_pose.load(), h.starts.load(), h.rows.load(), h.momentum.load(),
-             h.angular_momentum.load(), h.energy.load(), h.energy_kept.load(), h.flights.load(), h.driven.load());
+  fmt::print(
+      "Held: {} states with {} contacts by search, {} rods that touch nothing, {} rods by the "
+      "springs of their contacts, {} starts of runs, {} rows; momentum {}, angular momentum {}, "
+      "energy {} (kept by elastic rods: {}) times; {} free flights, {} driven and held rods\n",
+      h.states.load(), h.contacts.load(), h.rods_alone.load(), h.forces_by_pose.load(),
+      h.starts.load(), h.rows.load(), h.momentum.load(), h.angular_momentum.load(), h.energy.load(),
+      h.energy_kept.load(), h.flights.load(), h.driven.load());
   std::multimap<long, std::string, std::greater<>> by_count;
   for (const auto &[sentence, count] : tally.sentences) by_count.emplace(count, sentence);
   for (const auto &[count, sentence] : by_count) fmt::print("{:6} {}\n", count, sentence);
@@ -153,7 +156,8 @@ int main(int argc, char **argv)
   app.add_option("--seconds", options.seconds, "begin no deck after so many seconds");
   app.add_option("--keep", options.keep, "folder for the decks that end wrong");
   app.add_flag("--only-spoilt", options.only_spoilt, "only the decks with a mistake in one line");
-  app.add_option("--write", options.only_write, "write the deck --from into this folder, run nothing");
+  app.add_option("--write", options.only_write,
+                 "write the deck --from into this folder, run nothing");
   app.add_option("--lmp", options.program, "program to run instead of the built lmp");
   CLI11_PARSE(app, argc, argv);
 

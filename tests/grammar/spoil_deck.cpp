@@ -29,7 +29,8 @@ std::string with_mistake(Random &random, const std::string &line)
     case 2: words.erase(words.begin() + where); break;
     case 3: words.push_back(words[where]); break;
     default:
-      words[where] = random.pick({"abc", "-1", "0", "0,5", "1e400", "nan", "all", "NULL", "99999999"});
+      words[where] =
+          random.pick({"abc", "-1", "0", "0,5", "1e400", "nan", "all", "NULL", "99999999"});
       // No mistake otherwise.
       if (words.front() == "run" && words[where] == "99999999") words[where] = "1e400";
   }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "state.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace grammar {
 
@@ -145,8 +145,8 @@ std::vector<State> read_states(const std::filesystem::path &file)
         throw std::runtime_error("a broken line in " + file.filename().string() + ": " + line);
       const Rod rod = rod_from(numbers);
       if (!states.back().rods.emplace(rod.id, rod).second)
-        throw std::runtime_error(fmt::format("two rods of id {} at step {}", rod.id,
-                                             states.back().step));
+        throw std::runtime_error(
+            fmt::format("two rods of id {} at step {}", rod.id, states.back().step));
     }
   }
   return states;
@@ -160,8 +160,7 @@ void make_exact(Box &box, const Box &known)
     const auto differ = [](double rounded, double known_bound) {
       return std::fabs(rounded - known_bound) > 5.1e-6 * std::fabs(known_bound);
     };
-    if (differ(box.lo[d], known.lo[d]) || differ(box.hi[d], known.hi[d]))
-      box.exact = false;
+    if (differ(box.lo[d], known.lo[d]) || differ(box.hi[d], known.hi[d])) box.exact = false;
   }
   for (int d = 0; d < 3; d++)
     if (box.exact && box.periodic[d]) {

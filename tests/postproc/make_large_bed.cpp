@@ -35,7 +35,8 @@ std::vector<Segment> random_cube(std::size_t rods, double half_length, double si
   std::vector<Segment> placed;
   while (placed.size() < rods) {
     const Vec3 u{normal(random), normal(random), normal(random)};
-    const Segment trial{{place(random), place(random), place(random)}, (1.0 / norm(u)) * u,
+    const Segment trial{{place(random), place(random), place(random)},
+                        (1.0 / norm(u)) * u,
                         half_length};
     bool free = true;
     for (std::size_t i = 0; i < placed.size() && free; i++) {

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "measures/close_pairs.h"
-#include "measures/contact_forces.h"
 #include "io/dump_reader.h"
 #include "io/glued_rods.h"
 #include "io/input_error.h"
 #include "io/rods.h"
+#include "measures/close_pairs.h"
+#include "measures/contact_forces.h"
 
 namespace spherocylinder {
 

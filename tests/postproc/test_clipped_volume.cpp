@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/numbers.h"
-#include "solid/clipped_volume.h"
 #include "io/rods.h"
 #include "solid/capsule_measures.h"
+#include "solid/clipped_volume.h"
 #include "test_bed.h"
 
 namespace spherocylinder {
@@ -126,7 +126,8 @@ TEST(ClippedVolume, LyingRodCutByAPlane)
   const double segment = r * r * std::acos((r - a) / r) - (r - a) * std::sqrt(2 * r * a - a * a);
   const double truth = 2.0 * half * segment + pi * a * a * (3 * r - a) / 3.0;
   const Capsule capsule = rod({0.2, 0.3, 0.0}, {1, 1, 0}, half, r);
-  expect_volume(clipped_volume(capsule, {0, 0, kHuge, r - a, kHuge}, kTight), truth, volume(capsule));
+  expect_volume(clipped_volume(capsule, {0, 0, kHuge, r - a, kHuge}, kTight), truth,
+                volume(capsule));
 }
 
 // Standing rod on the axis of a thinner cylinder of radius R: pi R^2 h plus twice what a bore of

@@ -8,16 +8,16 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/result_table.h"
+#include "core/closest_points.h"
 #include "core/numbers.h"
+#include "core/spread_contact.h"
+#include "io/input_error.h"
 #include "measures/close_pairs.h"
 #include "measures/contact_forces.h"
 #include "measures/contact_statistics.h"
-#include "io/input_error.h"
 #include "measures/orientation_statistics.h"
 #include "measures/packing_theory.h"
-#include "cli/result_table.h"
-#include "core/closest_points.h"
-#include "core/spread_contact.h"
 #include "scratch_folder.h"
 #include "test_bed.h"
 
@@ -37,8 +37,7 @@ std::vector<Rod> ideal_gas(std::size_t count, double side, double half_length, d
   std::uniform_real_distribution<double> place(0.0, side);
   std::vector<Rod> rods;
   for (const Vec3 &axis : random_directions(count, random))
-    rods.push_back(
-        rod({place(random), place(random), place(random)}, axis, half_length, radius));
+    rods.push_back(rod({place(random), place(random), place(random)}, axis, half_length, radius));
   return rods;
 }
 
@@ -56,8 +55,7 @@ std::vector<Found> pairs_by_brute_force(const std::vector<Rod> &rods, const Peri
         for (int y = -images(1); y <= images(1); y++)
           for (int z = -images(2); z <= images(2); z++) {
             Segment moved = rods[j].capsule.segment;
-            moved.centre =
-                moved.centre + Vec3{x * box.side[0], y * box.side[1], z * box.side[2]};
+            moved.centre = moved.centre + Vec3{x * box.side[0], y * box.side[1], z * box.side[2]};
             const double radii = rods[i].capsule.radius + rods[j].capsule.radius;
             const double furthest = rods[i].capsule.segment.half_length + moved.half_length + radii;
             if (norm(moved.centre - rods[i].capsule.segment.centre) > furthest + gap) continue;
@@ -323,12 +321,12 @@ TEST(Contacts, WithWalls)
   const double h = 0.05, r = 0.005, R = 0.1;
   const Vessel vessel{0.2, 0.0, R, -0.3};
   const std::vector<Rod> rods{
-      rod({0.2, 0, -0.3 + r - 1e-5}, {1, 0, 0}, h, r),               // flat: both ends on the floor
-      rod({0.2, 0, -0.3 + h + r - 2e-5}, {0, 0, 1}, h, r),           // upright: one end
-      rod({0.2 + R - h - r + 3e-5, 0, 0.0}, {-1, 0, 0}, h, r),       // its end -u at the wall
-      rod({0.2, R - r + 4e-5, 0.1}, {0, 0, 1}, h, r),                // along the wall: both ends
-      rod({0.2, 0, -0.3 + r - 5e-5}, {1, 0, 0}, 0.0, r),             // a ball: one point
-      rod({0.2, 0, 0.0}, {0, 0, 1}, h, r)};                          // nowhere
+      rod({0.2, 0, -0.3 + r - 1e-5}, {1, 0, 0}, h, r),          // flat: both ends on the floor
+      rod({0.2, 0, -0.3 + h + r - 2e-5}, {0, 0, 1}, h, r),      // upright: one end
+      rod({0.2 + R - h - r + 3e-5, 0, 0.0}, {-1, 0, 0}, h, r),  // its end -u at the wall
+      rod({0.2, R - r + 4e-5, 0.1}, {0, 0, 1}, h, r),           // along the wall: both ends
+      rod({0.2, 0, -0.3 + r - 5e-5}, {1, 0, 0}, 0.0, r),        // a ball: one point
+      rod({0.2, 0, 0.0}, {0, 0, 1}, h, r)};                     // nowhere
   const auto found = wall_contacts(rods, vessel, 0.0);
   ASSERT_EQ(found.size(), 7u);
   std::vector<std::uint32_t> numbers(rods.size(), 0);
@@ -367,8 +365,8 @@ TEST(ForceChains, AreWhatStrongContactsJoin)
   const auto contact = [](std::uint32_t i, std::uint32_t j, double force) {
     return ContactForce{i, j, {0.0, -0.6 * force, 0.8 * force}};
   };
-  const std::vector<ContactForce> contacts{contact(0, 1, 3.0), contact(2, 1, 3.0),
-                                           contact(2, 3, 2.0), contact(5, 4, 3.5),
+  const std::vector<ContactForce> contacts{contact(0, 1, 3.0),  contact(2, 1, 3.0),
+                                           contact(2, 3, 2.0),  contact(5, 4, 3.5),
                                            contact(3, 4, 0.25), contact(6, 0, 0.25)};
   const ForceChains chains = force_chains(8, contacts, 1.0);
   EXPECT_NEAR(chains.threshold, 2.0, 1e-15);
@@ -443,8 +441,8 @@ TEST_F(LocalForcesTest, FindsItsColumns)
 {
   // pos 1-6, id 7-9, force 10-12, then history of any length.
   const std::string columns = "c_p[12] c_p[7] c_p[8] c_p[10] c_p[11] c_p[1]";
-  const auto found = read(local(columns, "3 5 11 1 2 99\n-3 8 5 -1 -2 99\n"),
-                          "force history id pos");
+  const auto found =
+      read(local(columns, "3 5 11 1 2 99\n-3 8 5 -1 -2 99\n"), "force history id pos");
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].i, 1u);  // id 5 is the second of the rods
   EXPECT_EQ(found[0].j, 0u);
@@ -454,8 +452,8 @@ TEST_F(LocalForcesTest, FindsItsColumns)
   EXPECT_EQ(found[1].i, 2u);
 
   // At a wall the rod's id is the third of id.
-  const auto walls = read(local("c_w[3] c_w[4] c_w[5] c_w[6]", "8 0 0 4\n"), "id force",
-                          LocalKind::Walls);
+  const auto walls =
+      read(local("c_w[3] c_w[4] c_w[5] c_w[6]", "8 0 0 4\n"), "id force", LocalKind::Walls);
   ASSERT_EQ(walls.size(), 1u);
   EXPECT_EQ(walls[0].i, 2u);
   EXPECT_EQ(walls[0].force.z, 4.0);

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "io/dump_reader.h"
 #include "cli/frame_choice.h"
+#include "io/dump_reader.h"
 #include "io/input_error.h"
-#include "measures/rod_quantity.h"
 #include "io/rods.h"
-#include "solid/capsule_measures.h"
+#include "measures/rod_quantity.h"
 #include "read_dump_bytes.h"
 #include "scratch_folder.h"
+#include "solid/capsule_measures.h"
 #include "test_bed.h"
 
 namespace spherocylinder {
@@ -103,10 +103,10 @@ TEST_F(DumpReaderTest, ReadsEntries)
 
 TEST_F(DumpReaderTest, ColumnsInAnyOrderAndExtraOnes)
 {
-  const DumpFrame frame = frame_of(kHeader +
-                                   "ITEM: ATOMS quat4 c_contacts element z y x shapez quat1 quat3 "
-                                   "quat2 shapex id\n0 4 Al 3 2 1 0.1 1 0 0 0.01 5\n"
-                                   "0 6 Fe 3 2 1 0.1 1 0 0 0.01 6\n");
+  const DumpFrame frame =
+      frame_of(kHeader + "ITEM: ATOMS quat4 c_contacts element z y x shapez quat1 quat3 "
+                         "quat2 shapex id\n0 4 Al 3 2 1 0.1 1 0 0 0.01 5\n"
+                         "0 6 Fe 3 2 1 0.1 1 0 0 0.01 6\n");
   const auto found = rods_of(frame);
   EXPECT_EQ(found[0].capsule.segment.centre.x, 1.0);
   EXPECT_EQ(found[0].id, 5);
@@ -135,7 +135,7 @@ TEST_F(DumpReaderTest, GzipIsToldByItsBytesNotItsName)
   const std::string packed = gzip(text, path("packed"));
   ASSERT_EQ(packed.substr(0, 2), "\x1f\x8b");
   EXPECT_EQ(rods(packed)[1].capsule.segment.centre.y, 0.2);
-  EXPECT_EQ(rods(packed + packed).size(), 2u);  // two gzip files in a row are one
+  EXPECT_EQ(rods(packed + packed).size(), 2u);                   // two gzip files in a row are one
   EXPECT_EQ(rods(packed + std::string(1000, '\0')).size(), 2u);  // a block filled up with zeros
   std::string damaged = packed + packed;
   damaged[packed.size()] = 'x';  // the second one is none any more
@@ -201,9 +201,9 @@ TEST_F(DumpReaderTest, BoundaryFlags)
 
 TEST_F(DumpReaderTest, ScaledCoordinates)
 {
-  const auto found = rods(kHeader +
-                          "ITEM: ATOMS id xs ys zs shapex shapez quat1 quat2 quat3 quat4\n"
-                          "1 0.5 0.25 0.1 0.01 0.1 1 0 0 0\n2 0 0 0 0.01 0.1 1 0 0 0\n");
+  const auto found =
+      rods(kHeader + "ITEM: ATOMS id xs ys zs shapex shapez quat1 quat2 quat3 quat4\n"
+                     "1 0.5 0.25 0.1 0.01 0.1 1 0 0 0\n2 0 0 0 0.01 0.1 1 0 0 0\n");
   EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.x, 0.0);  // box -1 to 1
   EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.y, -0.5);
   EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.z, 1.0);  // box 0 to 10
@@ -211,9 +211,9 @@ TEST_F(DumpReaderTest, ScaledCoordinates)
 
 TEST_F(DumpReaderTest, UnwrappedCoordinates)
 {
-  const auto found = rods(kHeader +
-                          "ITEM: ATOMS id xu ysu zu shapex shapez quat1 quat2 quat3 quat4\n"
-                          "1 1.5 -0.25 11 0.01 0.1 1 0 0 0\n2 0 0 0 0.01 0.1 1 0 0 0\n");
+  const auto found =
+      rods(kHeader + "ITEM: ATOMS id xu ysu zu shapex shapez quat1 quat2 quat3 quat4\n"
+                     "1 1.5 -0.25 11 0.01 0.1 1 0 0 0\n2 0 0 0 0.01 0.1 1 0 0 0\n");
   EXPECT_EQ(found[0].capsule.segment.centre.x, 1.5);
   EXPECT_DOUBLE_EQ(found[0].capsule.segment.centre.y, -1.5);  // -1 - 0.25 times 2
   EXPECT_EQ(found[0].capsule.segment.centre.z, 11.0);
@@ -235,8 +235,9 @@ TEST_F(DumpReaderTest, TiltedBox)
 TEST_F(DumpReaderTest, SixDigitsAreEnough)
 {
   // A norm off by 5e-4 is renormalised; shapez a digit below shapex is a sphere.
-  const auto found = rods(kHeader + kColumns + "1 1 0 0 0 0.01 0.01 0.00999999 0.7075 0.7075 0 0\n" +
-                          "2 1 0 0 0 0.01 0.01 0.01 1 0 0 0\n");
+  const auto found =
+      rods(kHeader + kColumns + "1 1 0 0 0 0.01 0.01 0.00999999 0.7075 0.7075 0 0\n" +
+           "2 1 0 0 0 0.01 0.01 0.01 1 0 0 0\n");
   EXPECT_NEAR(norm(found[0].capsule.segment.axis), 1.0, 1e-15);
   EXPECT_TRUE(found[0].is_sphere());
   EXPECT_TRUE(found[1].is_sphere());
@@ -301,7 +302,8 @@ TEST_F(DumpReaderTest, NotADump)
 TEST_F(DumpReaderTest, CutOff)
 {
   const std::string whole = kHeader + kColumns + kRow1 + kRow2;
-  expect_error(kHeader + kColumns + kRow1, ":10: ", "the file ends after 1 atoms of step 7, wanted 2");
+  expect_error(kHeader + kColumns + kRow1,
+               ":10: ", "the file ends after 1 atoms of step 7, wanted 2");
   expect_error(kHeader + kColumns, ":9: ", "the file ends after 0 atoms of step 7, wanted 2");
   expect_error(kHeader, ":8: ", "the file ends here, wanted an 'ITEM:' line");
   expect_error("ITEM: TIMESTEP\n", ":1: ", "wanted the time step");
@@ -330,11 +332,10 @@ TEST_F(DumpReaderTest, WrongCounts)
   expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n" + kColumns,
                ":5: ", "came before 'ITEM: BOX BOUNDS'");
   // A promise of more atoms than any memory holds is not believed.
-  expect_error(
-      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4000000000000000000\nITEM: BOX BOUNDS ff "
-      "ff ff\n0 1\n0 1\n0 1\n" +
-          kColumns + kRow1,
-      ":10: ", "ends after 1 atoms");
+  expect_error("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4000000000000000000\nITEM: BOX BOUNDS ff "
+               "ff ff\n0 1\n0 1\n0 1\n" +
+                   kColumns + kRow1,
+               ":10: ", "ends after 1 atoms");
 }
 
 TEST_F(DumpReaderTest, BadBox)

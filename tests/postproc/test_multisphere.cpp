@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rods as bodies of spheres and back: closed forms, and a journey through stock LIGGGHTS.
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "core/numbers.h"
+#include "core/rotation.h"
 #include "io/dump_reader.h"
 #include "io/frame_columns.h"
 #include "io/glued_rods.h"
 #include "io/input_error.h"
 #include "io/multisphere_input.h"
-#include "core/rotation.h"
 #include "page_examples.h"
 #include "scratch_folder.h"
 #include "test_bed.h"
@@ -28,10 +26,7 @@
 namespace spherocylinder {
 namespace {
 
-double distance(const Vec3 &a, const Vec3 &b)
-{
-  return norm(a - b);
-}
+double distance(const Vec3 &a, const Vec3 &b) { return norm(a - b); }
 
 // A rod and how it moves.
 struct MovingRod {

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/closest_points.h"
 #include "core/numbers.h"
-#include "solid/overlap_volume.h"
 #include "io/rods.h"
 #include "solid/capsule_measures.h"
-#include "core/closest_points.h"
+#include "solid/overlap_volume.h"
 #include "test_bed.h"
 
 namespace spherocylinder {
@@ -98,8 +98,8 @@ void expect_volume(const Capsule &a, const Capsule &b, double truth)
 
 TEST(OverlapVolume, ApartIsZero)
 {
-  const BoundedVolume found =
-      overlap_volume(rod({0, 0, 0}, {1, 0, 0}, 1, 0.1), rod({0, 0, 0.2}, {0, 1, 0}, 1, 0.1), kTight);
+  const BoundedVolume found = overlap_volume(rod({0, 0, 0}, {1, 0, 0}, 1, 0.1),
+                                             rod({0, 0, 0.2}, {0, 1, 0}, 1, 0.1), kTight);
   EXPECT_EQ(found.value, 0.0);
   EXPECT_EQ(found.error, 0.0);
 }
@@ -169,8 +169,7 @@ TEST(OverlapVolume, RandomPairsAgainstLines)
     const ClosestPoints closest = closest_points(a.segment, b.segment);
     const double distance = std::sqrt(closest.distance_squared);
     const double depth = q * std::pow(10.0, -1.0 + 0.8 * number(random));
-    b.segment.centre =
-        b.segment.centre + ((distance - (r + q - depth)) / distance) * closest.delta;
+    b.segment.centre = b.segment.centre + ((distance - (r + q - depth)) / distance) * closest.delta;
     const BoundedVolume found = overlap_volume(a, b, 1e-4);
     // 500 x 500 midpoints of a patch of 4 r: 1e-3 of the shallowest overlaps.
     const double truth = volume_by_lines(a, b, 4.0 * r, 500);

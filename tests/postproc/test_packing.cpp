@@ -6,8 +6,8 @@
 #include "core/numbers.h"
 #include "measures/packing_measures.h"
 #include "measures/packing_theory.h"
-#include "test_bed.h"
 #include "solid/capsule_measures.h"
+#include "test_bed.h"
 
 namespace spherocylinder {
 namespace {

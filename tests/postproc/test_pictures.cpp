@@ -10,8 +10,8 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper2D.h>
 
-#include "io/input_error.h"
 #include "core/closest_points.h"
+#include "io/input_error.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
 #include "pictures/drawing_errors.h"
@@ -20,8 +20,8 @@
 #include "pictures/rod_surface.h"
 #include "pictures/shown_part.h"
 #include "pictures/vessel_surface.h"
-#include "test_bed.h"
 #include "solid/capsule_measures.h"
+#include "test_bed.h"
 
 namespace spherocylinder {
 namespace {
@@ -322,10 +322,11 @@ TEST(Font, SizeOfText)
   EXPECT_GT(size_of_text("a\nb", 20).height, size_of_text("b", 20).height + 15);
 }
 
-const PictureWords kWords{"λ = 30,  700 rods,  step 500000", "elevation\n(deg)",
-                         {"0", "15", "30", "45", "60", "75", "90"},
-                         false,
-                         false};
+const PictureWords kWords{"λ = 30,  700 rods,  step 500000",
+                          "elevation\n(deg)",
+                          {"0", "15", "30", "45", "60", "75", "90"},
+                          false,
+                          false};
 
 // Letters keep to the picture and to themselves, whatever its shape: nothing beyond the edges, the
 // colour bar's column beside the room for the rods, caption, scale bar and room above each other.

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "solid/plane_volume.h"
 #include "io/rods.h"
 #include "solid/capsule_measures.h"
+#include "solid/plane_volume.h"
 #include "test_bed.h"
 
 namespace spherocylinder {
@@ -32,8 +32,8 @@ Real volume_by_slices(const Capsule &rod, double height)
 {
   const Real r = rod.radius, h = rod.segment.half_length;
   const Real c = std::abs(static_cast<Real>(rod.segment.axis.z));
-  const Real s = std::hypot(static_cast<Real>(rod.segment.axis.x),
-                            static_cast<Real>(rod.segment.axis.y));
+  const Real s =
+      std::hypot(static_cast<Real>(rod.segment.axis.x), static_cast<Real>(rod.segment.axis.y));
   const Real d = static_cast<Real>(height) - rod.segment.centre.z;
   std::vector<Real> cuts{-h - r, -h, h, h + r};
   const auto add = [&](Real q) {

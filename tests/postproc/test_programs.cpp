@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The programs from end to end: what they print, write and return.
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "page_examples.h"
 #include "scratch_folder.h"
@@ -559,8 +557,8 @@ TEST_F(Programs, DoubtfulContactsFollowTheDigits)
       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n-1 1\n-1 1\n-1 1\n"
       "ITEM: ATOMS id x y z shapex shapez quat1 quat2 quat3 quat4\n";
   const auto doubtful = [&](const std::string &x, const std::string &y) {
-    write("d.dump", head + "1 " + x + " 0 0 0.01 0.05 1 0 0 0\n2 " + y +
-                        " 0 0 0.01 0.05 1 0 0 0\n");
+    write("d.dump",
+          head + "1 " + x + " 0 0 0.01 0.05 1 0 0 0\n2 " + y + " 0 0 0.01 0.05 1 0 0 0\n");
     EXPECT_EQ(run("rod_contacts d.dump --csv c.csv"), 0) << error_;
     return csv_row(read("c.csv"))["doubtful_pairs"];
   };
@@ -699,8 +697,8 @@ TEST_F(Programs, VtkFilesCarryAllColumns)
 // Wall and floor stand beside the rods in each frame.
 TEST_F(Programs, VtkSeriesHoldsTheVessel)
 {
-  ASSERT_EQ(
-      run("rod_vtk pour.dump --out p --geometry lines --vessel-radius 1 --vessel-height 2"), 0);
+  ASSERT_EQ(run("rod_vtk pour.dump --out p --geometry lines --vessel-radius 1 --vessel-height 2"),
+            0);
   const std::string series = read("p.pvd");
   std::size_t walls = 0;
   for (auto at = series.find("p_vessel.vtp"); at != std::string::npos;
@@ -765,17 +763,16 @@ TEST_F(Programs, OvitoFile)
 // words are not repeated, and a velocity of one component is no velocity.
 TEST_F(Programs, OvitoCell)
 {
-  const std::string rows =
-      "ITEM: ATOMS id xsu ysu zsu vx shapex shapez quat1 quat2 quat3 quat4\n"
-      "1 0.25 0.5 0.5 7 0.01 0.1 1 0 0 0\n";
+  const std::string rows = "ITEM: ATOMS id xsu ysu zsu vx shapex shapez quat1 quat2 quat3 quat4\n"
+                           "1 0.25 0.5 0.5 7 0.01 0.1 1 0 0 0\n";
   const auto dump = [&](const std::string &box) {
     return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS " + box + rows;
   };
   write("box.dump", dump("pp ff pp\n0 2\n-1 1\n0 4\n"));
   ASSERT_EQ(run("rod_vtk box.dump --out o --geometry lines --ovito"), 0) << error_;
   const std::string file = read("o.xyz");
-  for (const char *words : {"Lattice=\"2 0 0 0 2 0 0 0 4\"", "Origin=\"0 -1 0\"",
-                            "pbc=\"T F T\"", ":elevation_deg:R:1:vx:R:1\n", "\n1 1 0.5 0 2 "})
+  for (const char *words : {"Lattice=\"2 0 0 0 2 0 0 0 4\"", "Origin=\"0 -1 0\"", "pbc=\"T F T\"",
+                            ":elevation_deg:R:1:vx:R:1\n", "\n1 1 0.5 0 2 "})
     EXPECT_NE(file.find(words), std::string::npos) << words << " in " << file;
   std::string tilted = dump("xy xz yz pp pp pp\n0 2 0.5\n-1 1 0\n0 4 0\n");
   for (const std::string scaled : {"xsu", "ysu", "zsu"})
@@ -945,9 +942,8 @@ TEST_F(Programs, FilmIsMadeByFfmpeg)
 {
   if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
   const std::string command =
-      kPrograms +
-      "/rod_render pour.dump --frame all --out p.png --vessel-radius 0.305 --top 0.6 "
-      "--size 200x200 --rate 25 --film p.webm";
+      kPrograms + "/rod_render pour.dump --frame all --out p.png --vessel-radius 0.305 --top 0.6 "
+                  "--size 200x200 --rate 25 --film p.webm";
   const auto fake = [&](const std::string &last_line) {
     write("bin/ffmpeg", "#!/bin/sh\necho \"$@\" >called.txt\n" + last_line + "\n");
     std::filesystem::permissions(folder() / "bin/ffmpeg", std::filesystem::perms::owner_all);

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/closest_points.h"
 #include "core/numbers.h"
 #include "io/input_error.h"
 #include "measures/rod_gas.h"
-#include "core/closest_points.h"
 
 namespace spherocylinder {
 namespace {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // scripts/setup and scripts/build with programs that stand in for apt-get and cmake: what they ask for,
 // what they leave alone.
-#include <sys/wait.h>
-
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "scratch_folder.h"
 
@@ -34,10 +32,10 @@ class Scripts : public ScratchFolder {
   // Exit code; what it says is in out.txt and error.txt.
   int run(const std::string &command)
   {
-    const int status = std::system(
-        fmt::format("cd '{0}' && PATH='{0}/bin':$PATH {1} >out.txt 2>error.txt", folder().string(),
-                    command)
-            .c_str());
+    const int status =
+        std::system(fmt::format("cd '{0}' && PATH='{0}/bin':$PATH {1} >out.txt 2>error.txt",
+                                folder().string(), command)
+                        .c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "core/numbers.h"
+#include "core/parallel.h"
 #include "io/input_error.h"
 #include "measures/packing_measures.h"
-#include "core/parallel.h"
 #include "measures/solid_profile.h"
-#include "test_bed.h"
 #include "solid/capsule_measures.h"
+#include "test_bed.h"
 
 namespace spherocylinder {
 namespace {
@@ -102,8 +102,7 @@ TEST(SolidProfile, ShellsAgainstBounds)
 TEST(SolidProfile, UprightRodOnTheAxis)
 {
   const std::vector<Rod> rods{{1, 1, {{{0, 0, 0}, {0, 0, 1}, 5.0}, 0.3}}};
-  const auto bins =
-      radius_profile(rods, {0, 0, 1, -1, 1}, {0.0, 0.1, 0.2, 0.3, 0.5, 1.0}, 1e-4);
+  const auto bins = radius_profile(rods, {0, 0, 1, -1, 1}, {0.0, 0.1, 0.2, 0.3, 0.5, 1.0}, 1e-4);
   for (const ProfileBin &bin : bins)
     EXPECT_NEAR(bin.fraction(), bin.high <= 0.3 ? 1.0 : 0.0, 1e-3) << bin.low;
   EXPECT_NEAR(sum_of(bins), pi * 0.09 * 2.0, 1e-12);  // the outer shells hold the rod whole

@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <gtest/gtest.h>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "closest_points_reference.h"
 #include "core/spread_contact.h"
@@ -136,8 +137,7 @@ TEST_P(ClosestPointsBatchOf, EveryContactThatSpreadsIsFlagged)
   for (int batch = 0; batch < kBatches; batch++) {
     next();
     for (int k = 0; k < kBatch; k++) {
-      const double distance =
-          std::sqrt(closest_points(pair(k).i, pair(k).j).distance_squared);
+      const double distance = std::sqrt(closest_points(pair(k).i, pair(k).j).distance_squared);
       const double overlap = random_.log_uniform(1e-4, 0.5);
       batch_.reach[k] = distance > 0.0 ? distance / (1.0 - overlap) : sized_[k].diameter;
     }
@@ -149,8 +149,8 @@ TEST_P(ClosestPointsBatchOf, EveryContactThatSpreadsIsFlagged)
       const RodContact contact = spread_contact(i, j, batch_.reach[k], closest);
       if (!moved(contact, closest, batch_.reach[k])) continue;
       spread++;
-      ASSERT_TRUE(nearly_parallel(k)) << "moved by " << contact.points.s - closest.s << " of "
-                                      << i.half_length;
+      ASSERT_TRUE(nearly_parallel(k))
+          << "moved by " << contact.points.s - closest.s << " of " << i.half_length;
     }
   }
   std::printf("%-22s %d contacts spread\n", GetParam().name, spread);
@@ -181,8 +181,7 @@ TEST(ClosestPointsBatch, NearlyParallelEndsWhereSpreadContactEnds)
       const double hj = diameter * random.log_uniform(5.0, 500.0);
       // The angle at which q is 0.9 to 1.1.
       const double shorter = std::min(i.half_length, hj);
-      const double sine =
-          random.uniform(0.9, 1.1) * std::sqrt(2.0 * overlap) * diameter / shorter;
+      const double sine = random.uniform(0.9, 1.1) * std::sqrt(2.0 * overlap) * diameter / shorter;
       const double cosine = std::sqrt(1.0 - sine * sine);
       const Vec3 across = RandomRods::unit(cross(axis, side));
       const Segment j{i.centre + ((1.0 - overlap) * diameter) * across,

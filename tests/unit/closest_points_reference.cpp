@@ -44,8 +44,14 @@ struct DistanceSquared {
   Wide wu, wv, uu, uv, vv;
 
   DistanceSquared(const Segment &i, const Segment &j)
-      : w(difference<Wide>(i.centre, j.centre)), u(widened<Wide>(i.axis)), v(widened<Wide>(j.axis)),
-        wu(dot(w, u)), wv(dot(w, v)), uu(dot(u, u)), uv(dot(u, v)), vv(dot(v, v))
+      : w(difference<Wide>(i.centre, j.centre)),
+        u(widened<Wide>(i.axis)),
+        v(widened<Wide>(j.axis)),
+        wu(dot(w, u)),
+        wv(dot(w, v)),
+        uu(dot(u, u)),
+        uv(dot(u, v)),
+        vv(dot(v, v))
   {
   }
 

@@ -11,8 +11,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <gtest/gtest.h>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "closest_points_reference.h"
 #include "segment_families.h"

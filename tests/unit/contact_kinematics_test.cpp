@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+
 #include <gtest/gtest.h>
 
 #include "core/mass_properties.h"
@@ -166,8 +167,8 @@ TEST(InverseEffectiveMass, CentreAxisAndEnd)
               1.0 / p.mass);
     EXPECT_EQ(inverse_effective_mass(p.mass, p.inertia_transverse, end, axis), 1.0 / p.mass);
     // 1 + 3 (h/L)^2 / (1 - 2/(3 lambda)) differs from 4 by some 4/lambda.
-    EXPECT_NEAR(
-        inverse_effective_mass(p.mass, p.inertia_transverse, end, across) * p.mass, 4.0, 5e-4);
+    EXPECT_NEAR(inverse_effective_mass(p.mass, p.inertia_transverse, end, across) * p.mass, 4.0,
+                5e-4);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+
 #include <gtest/gtest.h>
 
 #include "closest_points_reference.h"
@@ -72,12 +73,12 @@ TEST(FiveStepSearch, TakesItsSteps)
     return std::sqrt(five_step_points(pair.i, pair.j).distance_squared - 0.09);
   };
   const double right_angle = 0.5 * kPi;
-  EXPECT_NEAR(in_plane(planar(1.0, 2.0, right_angle)), 0.0, 1e-7);            // cylinders cross
-  EXPECT_NEAR(in_plane(planar(1.0, 6.0, right_angle)), 1.0, 1e-12);           // end on a side
-  EXPECT_NEAR(in_plane(planar(5.4, 1.0, right_angle)), 0.4, 1e-12);           // side on an end
-  EXPECT_NEAR(in_plane(planar(8.0, 9.0, right_angle)), 5.0, 1e-12);           // ends: 3 and 4
-  EXPECT_NEAR(in_plane(planar(10.5, 0.0, 0.0)), 0.5, 1e-12);                  // parallel, in line
-  EXPECT_NEAR(in_plane(planar(0.25, 0.0, 0.0)), 0.25, 1e-12);                 // parallel, abreast
+  EXPECT_NEAR(in_plane(planar(1.0, 2.0, right_angle)), 0.0, 1e-7);   // cylinders cross
+  EXPECT_NEAR(in_plane(planar(1.0, 6.0, right_angle)), 1.0, 1e-12);  // end on a side
+  EXPECT_NEAR(in_plane(planar(5.4, 1.0, right_angle)), 0.4, 1e-12);  // side on an end
+  EXPECT_NEAR(in_plane(planar(8.0, 9.0, right_angle)), 5.0, 1e-12);  // ends: 3 and 4
+  EXPECT_NEAR(in_plane(planar(10.5, 0.0, 0.0)), 0.5, 1e-12);         // parallel, in line
+  EXPECT_NEAR(in_plane(planar(0.25, 0.0, 0.0)), 0.25, 1e-12);        // parallel, abreast
 }
 
 // The end of j lies over the side of i, 0.5 away, and both lines are nearest beyond their segments;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "test_support.h"
@@ -139,9 +140,9 @@ TEST(ImmersedPart, BothPartsMakeTheRod)
   for (const double scale : {1e-6, 1.0, 1e3})
     for (const double tilt : {0.0, 1e-7, 1e-3, 0.3, 0.9, 1.3, 1.5707, 0.5 * kPi})
       for (double height = -0.39; height < 0.4; height += 0.013) {
-        const Capsule rod = {{{0.0, 0.0, scale * height}, {std::sin(tilt), 0.0, std::cos(tilt)},
-                              scale * 0.3},
-                             scale * 0.1};
+        const Capsule rod = {
+            {{0.0, 0.0, scale * height}, {std::sin(tilt), 0.0, std::cos(tilt)}, scale * 0.3},
+            scale * 0.1};
         const double volume = volume_of(rod);
         const ImmersedPart below = immersed_part(rod, kUp, 0.0);
         const ImmersedPart above = immersed_part(rod, -kUp, 0.0);

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "core/rotation.h"
 #include "test_support.h"
@@ -74,8 +75,7 @@ TEST(LargestShift, BoundsTheWayOfAnAxis)
     const double angle = random.log_uniform(1e-6, 3.1);
     const Quaternion before = orientation_of(random.direction());
     const Vec3 about = std::sin(0.5 * angle) * random.direction();
-    const Quaternion after =
-        Quaternion{std::cos(0.5 * angle), about.x, about.y, about.z} * before;
+    const Quaternion after = Quaternion{std::cos(0.5 * angle), about.x, about.y, about.z} * before;
     const double a[4] = {before.w, before.x, before.y, before.z};
     const double b[4] = {after.w, after.x, after.y, after.z};
     const double way = norm(axis_of(after) - axis_of(before));

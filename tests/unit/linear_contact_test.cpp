@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <gtest/gtest.h>
 #include <ostream>
 #include <string>
 #include <tuple>
+
+#include <gtest/gtest.h>
 
 #include "inertia_tensor.h"
 #include "test_support.h"
@@ -226,7 +227,8 @@ Result by_hand(const Contact &c, const LinearLaw &law, bool turning)
         Ft = (most / norm(Ft)) * Ft;
         const long double dragging = gamma_t * norm(slip);
         const long double drag = std::min(dragging, most);
-        r.spring = (-1.0L / c.kt) * (Ft + (dragging > 0.0L ? drag / dragging * gamma_t : 0.0L) * slip);
+        r.spring =
+            (-1.0L / c.kt) * (Ft + (dragging > 0.0L ? drag / dragging * gamma_t : 0.0L) * slip);
       }
     } else {
       r.slides = c.kt * norm(r.spring) > most;  // the spring decides, its dashpot does not
@@ -243,8 +245,8 @@ Result by_hand(const Contact &c, const LinearLaw &law, bool turning)
   const long double speed = norm(c.i.velocity) + norm(c.j.velocity) +
                             norm(c.i.omega) * norm(arm_i) + norm(c.j.omega) * norm(arm_j);
   r.spring_size = norm(c.spring) + dt * speed;
-  r.force_size = (c.kn * (r.overlap + r.spring_size) + (gamma_n + gamma_t) * speed) *
-                 (1.0L + c.friction);
+  r.force_size =
+      (c.kn * (r.overlap + r.spring_size) + (gamma_n + gamma_t) * speed) * (1.0L + c.friction);
   if (r.slides) r.spring_size += r.force_size / c.kt;  // the normal force sets its length
   r.torque_size = r.force_size * (norm(arm_i) + norm(arm_j));
   return r;
@@ -296,11 +298,12 @@ TEST_P(LinearContact, AgreesWithTheLawInLongDouble)
           return static_cast<double>(norm(Long3(got) - expected) / size);
         };
         worst_force = std::max(worst_force, error(all.loads.force.get(k), r.force, r.force_size));
-        worst_torque = std::max({worst_torque,
-                                 error(all.loads.torque_i.get(k), r.torque_i, r.torque_size),
-                                 error(all.loads.torque_j.get(k), r.torque_j, r.torque_size)});
+        worst_torque =
+            std::max({worst_torque, error(all.loads.torque_i.get(k), r.torque_i, r.torque_size),
+                      error(all.loads.torque_j.get(k), r.torque_j, r.torque_size)});
         // Tangential off and no_history leave the spring alone.
-        worst_spring = std::max(worst_spring, error(all.materials.spring.get(k), r.spring, r.spring_size));
+        worst_spring =
+            std::max(worst_spring, error(all.materials.spring.get(k), r.spring, r.spring_size));
         worst_mass = std::max(worst_mass, static_cast<double>(std::fabs(
                                               all.loads.inverse_mass[k] / r.inverse_mass - 1.0L)));
         ASSERT_EQ(error(all.arms.normal.get(k), r.side, 1.0L), 0.0);
@@ -352,11 +355,12 @@ TEST_P(LinearContact, IsTheSameFromEitherRod)
       const auto sum = [](const Vec3 &a, const Vec3 &b, long double size) {
         return static_cast<double>(norm(Long3(a + b)) / size);
       };
-      worst = std::max({worst, sum(one.loads.force.get(k), other.loads.force.get(k), r.force_size),
-                        sum(one.loads.torque_i.get(k), -other.loads.torque_j.get(k), r.torque_size),
-                        sum(one.loads.torque_j.get(k), -other.loads.torque_i.get(k), r.torque_size),
-                        sum(one.materials.spring.get(k), other.materials.spring.get(k), r.spring_size),
-                        sum(one.arms.normal.get(k), other.arms.normal.get(k), 1.0L)});
+      worst =
+          std::max({worst, sum(one.loads.force.get(k), other.loads.force.get(k), r.force_size),
+                    sum(one.loads.torque_i.get(k), -other.loads.torque_j.get(k), r.torque_size),
+                    sum(one.loads.torque_j.get(k), -other.loads.torque_i.get(k), r.torque_size),
+                    sum(one.materials.spring.get(k), other.materials.spring.get(k), r.spring_size),
+                    sum(one.arms.normal.get(k), other.arms.normal.get(k), 1.0L)});
     }
   }
   EXPECT_LT(worst, kRoundOff);
@@ -378,7 +382,8 @@ TEST_P(LinearContact, HasNoTotalTorque)
     all.work_out(law());
     for (int k = 0; k < kBatch; k++) {
       const Vec3 force = all.loads.force.get(k), xi = input[k].i.centre, xj = input[k].j.centre;
-      const Vec3 total = all.loads.torque_i.get(k) + all.loads.torque_j.get(k) + cross(xi - xj, force);
+      const Vec3 total =
+          all.loads.torque_i.get(k) + all.loads.torque_j.get(k) + cross(xi - xj, force);
       const double size = norm(all.loads.torque_i.get(k)) + norm(all.loads.torque_j.get(k)) +
                           (norm(xi) + norm(xj)) * norm(force);
       worst = std::max(worst, norm(total) / size);
@@ -387,13 +392,12 @@ TEST_P(LinearContact, HasNoTotalTorque)
   EXPECT_LT(worst, kRoundOff);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, LinearContact,
-                         testing::Combine(testing::Values(Tangential::Off, Tangential::NoHistory,
-                                                          Tangential::History),
-                                          testing::Bool(), testing::Bool(),
-                                          testing::Values(SliderLimits::WholeForce,
-                                                          SliderLimits::SpringAlone)),
-                         [](const auto &info) { return name_of(info.param); });
+INSTANTIATE_TEST_SUITE_P(
+    Laws, LinearContact,
+    testing::Combine(testing::Values(Tangential::Off, Tangential::NoHistory, Tangential::History),
+                     testing::Bool(), testing::Bool(),
+                     testing::Values(SliderLimits::WholeForce, SliderLimits::SpringAlone)),
+    [](const auto &info) { return name_of(info.param); });
 
 // By this the caller knows to leave a contact out; the others of the batch feel nothing of it.
 TEST(LinearContacts, TwoFrozenRodsHaveNoInverseMass)

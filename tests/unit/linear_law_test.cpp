@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "test_support.h"
@@ -47,8 +48,8 @@ TEST(LinearSlider, HoldsTheWholeForceAndNeverWindsTheSpring)
   for (int k = 0; k < kDraws; k++) {
     const Sliding s = any_sliding(random);
     Vec3 spring = s.spring;
-    const Vec3 force = sliding_force<SliderLimits::WholeForce>(spring, s.slip, s.stiffness,
-                                                               s.damping, s.most);
+    const Vec3 force =
+        sliding_force<SliderLimits::WholeForce>(spring, s.slip, s.stiffness, s.damping, s.most);
     ASSERT_LE(norm(force), s.most * (1.0 + 8.0 * kEpsilon));
     ASSERT_LE(energy(s, spring),
               energy(s, s.spring) * (1.0 + 1e-12) + 1e-14 * s.most * s.most / s.stiffness);
@@ -101,7 +102,8 @@ TEST(LinearSlider, ForceStaysAtTheLimitAndLeavesItWithoutAJump)
 TEST(LinearSlider, NothingWithoutStiffness)
 {
   Vec3 spring = {1e-3, 0.0, 0.0};
-  const Vec3 force = sliding_force<SliderLimits::WholeForce>(spring, {1.0, 2.0, 0.0}, 0.0, 0.0, 0.0);
+  const Vec3 force =
+      sliding_force<SliderLimits::WholeForce>(spring, {1.0, 2.0, 0.0}, 0.0, 0.0, 0.0);
   EXPECT_EQ(norm(force), 0.0);
   EXPECT_EQ(spring.x, 1e-3);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+
 #include <gtest/gtest.h>
 
 #include "test_support.h"
@@ -177,10 +178,8 @@ TEST(SymmetricTop, AngularVelocityAndMomentumAreInverse)
       for (int k = 0; k < 1000; k++) {
         const Vec3 axis = random.direction();
         const Vec3 omega = random.log_uniform(1e-3, 1e6) * random.direction();
-        const Vec3 momentum =
-            angular_momentum(omega, axis, p.inertia_axial, p.inertia_transverse);
-        const Vec3 back =
-            angular_velocity(momentum, axis, p.inertia_axial, p.inertia_transverse);
+        const Vec3 momentum = angular_momentum(omega, axis, p.inertia_axial, p.inertia_transverse);
+        const Vec3 back = angular_velocity(momentum, axis, p.inertia_axial, p.inertia_transverse);
         ASSERT_LT(norm(back - omega) / norm(omega), tolerance) << aspect_ratio;
         const Vec3 there =
             angular_momentum(angular_velocity(omega, axis, p.inertia_axial, p.inertia_transverse),
@@ -216,15 +215,13 @@ TEST(SymmetricTop, RotationalEnergy)
         const Vec3 axis = random.direction();
         const double spin = random.uniform(-100.0, 100.0), tumble = random.uniform(1.0, 100.0);
         const Vec3 omega = spin * axis + tumble * random.across(axis);
-        const Vec3 momentum =
-            angular_momentum(omega, axis, p.inertia_axial, p.inertia_transverse);
-        const double expected = 0.5 * p.inertia_axial * spin * spin +
-                                0.5 * p.inertia_transverse * tumble * tumble;
+        const Vec3 momentum = angular_momentum(omega, axis, p.inertia_axial, p.inertia_transverse);
+        const double expected =
+            0.5 * p.inertia_axial * spin * spin + 0.5 * p.inertia_transverse * tumble * tumble;
         const double energy =
             rotational_energy(momentum, axis, p.inertia_axial, p.inertia_transverse);
         // The axial part of L is found to I_t/I_a epsilon when the rod mostly tumbles.
-        ASSERT_NEAR(energy / expected, 1.0,
-                    8 * kEpsilon * p.inertia_transverse / p.inertia_axial);
+        ASSERT_NEAR(energy / expected, 1.0, 8 * kEpsilon * p.inertia_transverse / p.inertia_axial);
       }
     }
 }

@@ -3,9 +3,10 @@
 #include "core/near_pairs.h"
 
 #include <cmath>
-#include <gtest/gtest.h>
 #include <utility>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "core/closest_points.h"
 #include "core/skin.h"
@@ -56,9 +57,8 @@ std::vector<Capsule> make(const Bed &bed, double diameter, int count, RandomRods
   for (int k = 0; k < count; k++) {
     Capsule rod;
     rod.radius = 0.5 * diameter * random.uniform(bed.thinnest, 1.0);
-    rod.segment.half_length = bed.spheres_too && k % 3 == 0
-                                  ? 0.0
-                                  : 0.5 * (length - diameter) * random.uniform(0.3, 1.0);
+    rod.segment.half_length =
+        bed.spheres_too && k % 3 == 0 ? 0.0 : 0.5 * (length - diameter) * random.uniform(0.3, 1.0);
     rod.segment.centre = random.vector(0.5 * bed.box * length);
     rod.segment.axis = random.direction();
     if (bed.lattice) {
@@ -100,16 +100,15 @@ TEST_P(NearPairsOf, AreThoseOfTheSlowSearch)
   EXPECT_GT(found, 1000u);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Beds, NearPairsOf,
-    testing::Values(Bed{"Spheres", 1.0, 8.0, 1.0, false, false},
-                    Bed{"SpheresOfManySizes", 1.0, 8.0, 0.05, false, false},
-                    Bed{"ShortRods", 3.0, 4.0, 1.0, false, false},
-                    Bed{"LongRods", 30.0, 1.2, 1.0, false, false},
-                    Bed{"NeedlesAndSpheres", 100.0, 0.6, 0.2, true, false},
-                    Bed{"SandAndStones", 10.0, 1.5, 0.01, true, false},
-                    Bed{"LatticeOfRods", 10.0, 1.5, 1.0, false, true}),
-    [](const auto &info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Beds, NearPairsOf,
+                         testing::Values(Bed{"Spheres", 1.0, 8.0, 1.0, false, false},
+                                         Bed{"SpheresOfManySizes", 1.0, 8.0, 0.05, false, false},
+                                         Bed{"ShortRods", 3.0, 4.0, 1.0, false, false},
+                                         Bed{"LongRods", 30.0, 1.2, 1.0, false, false},
+                                         Bed{"NeedlesAndSpheres", 100.0, 0.6, 0.2, true, false},
+                                         Bed{"SandAndStones", 10.0, 1.5, 0.01, true, false},
+                                         Bed{"LatticeOfRods", 10.0, 1.5, 1.0, false, true}),
+                         [](const auto &info) { return std::string(info.param.name); });
 
 // Rods few and far between: the grid may not have a cell for each place.
 TEST(NearPairs, OfAFewRodsInAHugeSpace)

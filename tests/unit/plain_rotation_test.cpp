@@ -4,6 +4,7 @@
 #include "core/plain_rotation.h"
 
 #include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/mass_properties.h"
@@ -23,8 +24,8 @@ Spin stepped(Spin spin, const MassProperties &rod, double dt)
 {
   constexpr Vec3 kNone = {0.0, 0.0, 0.0};
   const auto kick = [&] {
-    spin.omega_body = kicked_plainly(spin.omega_body, kNone, rod.inertia_axial,
-                                     rod.inertia_transverse, 0.5 * dt);
+    spin.omega_body =
+        kicked_plainly(spin.omega_body, kNone, rod.inertia_axial, rod.inertia_transverse, 0.5 * dt);
   };
   kick();
   spin.q = turned_plainly(spin.q, spin.omega_body, dt);

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <gtest/gtest.h>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "core/mass_properties.h"
 #include "core/rotation_batch.h"
@@ -40,8 +41,8 @@ Vec3 body_y(const Quaternion &q)
 // Largest distance between the body axes of two orientations (q and -q are one orientation).
 double orientation_difference(const Quaternion &a, const Quaternion &b)
 {
-  return std::max({norm(body_x(a) - body_x(b)), norm(body_y(a) - body_y(b)),
-                   norm(axis_of(a) - axis_of(b))});
+  return std::max(
+      {norm(body_x(a) - body_x(b)), norm(body_y(a) - body_y(b)), norm(axis_of(a) - axis_of(b))});
 }
 
 // A rod thrown with any spin and orientation.
@@ -100,8 +101,13 @@ State rate_of_change(const State &state, double inertia_axial, double inertia_tr
   const Vec3 omega_body{state[4], state[5], state[6]};
   const Quaternion dq = q * Quaternion{0.0, omega_body.x, omega_body.y, omega_body.z};
   const double k = (inertia_transverse - inertia_axial) / inertia_transverse;
-  return {0.5 * dq.w, 0.5 * dq.x, 0.5 * dq.y, 0.5 * dq.z, k * omega_body.y * omega_body.z,
-          -k * omega_body.z * omega_body.x, 0.0};
+  return {0.5 * dq.w,
+          0.5 * dq.x,
+          0.5 * dq.y,
+          0.5 * dq.z,
+          k * omega_body.y * omega_body.z,
+          -k * omega_body.z * omega_body.x,
+          0.0};
 }
 
 State sum(const State &a, double factor, const State &b)
@@ -115,8 +121,13 @@ Quaternion integrated(const Top &top, double time, int steps)
 {
   const Vec3 omega = angular_velocity(top.angular_momentum, axis_of(top.start), top.inertia_axial,
                                       top.inertia_transverse);
-  State state{top.start.w, top.start.x, top.start.y, top.start.z, dot(omega, body_x(top.start)),
-              dot(omega, body_y(top.start)), dot(omega, axis_of(top.start))};
+  State state{top.start.w,
+              top.start.x,
+              top.start.y,
+              top.start.z,
+              dot(omega, body_x(top.start)),
+              dot(omega, body_y(top.start)),
+              dot(omega, axis_of(top.start))};
   const double dt = time / steps;
   const auto rate = [&](const State &s) {
     return rate_of_change(s, top.inertia_axial, top.inertia_transverse);
@@ -144,10 +155,19 @@ std::array<Vec3, 12> awkward_directions(double small, double z_sign)
 {
   const double z = z_sign * std::sqrt((1.0 - small) * (1.0 + small));
   const double s = small * std::sqrt(0.5);
-  return {{{small, 0.0, z}, {-small, 0.0, z}, {0.0, small, z}, {0.0, -small, z}, {s, s, z},
-           {-s, s, z}, {s, -s, z}, {-s, -s, z},
+  return {{{small, 0.0, z},
+           {-small, 0.0, z},
+           {0.0, small, z},
+           {0.0, -small, z},
+           {s, s, z},
+           {-s, s, z},
+           {s, -s, z},
+           {-s, -s, z},
            // the same round the equator
-           {z, 0.0, small}, {z, 0.0, -small}, {0.0, z, small}, {0.0, z, -small}}};
+           {z, 0.0, small},
+           {z, 0.0, -small},
+           {0.0, z, small},
+           {0.0, z, -small}}};
 }
 
 }  // namespace
@@ -221,8 +241,8 @@ TEST(FreeRotation, StepsCompose)
     const Quaternion once = top.after(time);
     const double precession = top.precession_rate() * time;
     const double fastest = norm(top.angular_momentum) / top.inertia_axial * time;
-    worst_axis = std::max(worst_axis, norm(axis_of(q) - axis_of(once)) /
-                                          (kEpsilon * (kSteps + precession)));
+    worst_axis =
+        std::max(worst_axis, norm(axis_of(q) - axis_of(once)) / (kEpsilon * (kSteps + precession)));
     worst_body = std::max(worst_body,
                           orientation_difference(q, once) / (kEpsilon * kSteps * (1.0 + fastest)));
   });
@@ -279,8 +299,8 @@ TEST(FreeRotation, MotionCarriesItsAngularMomentum)
     };
     const double step = 2e-3 / top.rate();
     const Vec3 omega = (4.0 / 3.0) * difference(0.5 * step) - (1.0 / 3.0) * difference(step);
-    const Vec3 momentum = angular_momentum(omega, axis_of(top.after(now)), top.inertia_axial,
-                                           top.inertia_transverse);
+    const Vec3 momentum =
+        angular_momentum(omega, axis_of(top.after(now)), top.inertia_axial, top.inertia_transverse);
     worst = std::max(worst, norm(momentum - top.angular_momentum) / norm(top.angular_momentum));
   });
   std::printf("angular momentum of the motion: worst relative difference %.1e\n", worst);

@@ -35,9 +35,9 @@ Pair any_pose(RandomRods &random, double d)
 {
   const Segment i = random_segment(random, d);
   const double hj = half_length(random, d);
-  return {i, placed(i, position(random, i.half_length), random.direction(),
-                    d * random.log_uniform(1e-3, 3.0), random.direction(), hj,
-                    position(random, hj))};
+  return {i,
+          placed(i, position(random, i.half_length), random.direction(),
+                 d * random.log_uniform(1e-3, 3.0), random.direction(), hj, position(random, hj))};
 }
 
 Pair parallel_side_by_side(RandomRods &random, double d)
@@ -126,9 +126,10 @@ Pair unequal_lengths(RandomRods &random, double d)
   Segment i = random_segment(random, d);
   i.half_length = 500.0 * d;
   const double hj = 0.5 * d;
-  const Vec3 axis = random.below(2) ? random.direction()
-                                    : RandomRods::unit(i.axis + random.log_uniform(1e-12, 1e-3) *
-                                                                    random.direction());
+  const Vec3 axis =
+      random.below(2)
+          ? random.direction()
+          : RandomRods::unit(i.axis + random.log_uniform(1e-12, 1e-3) * random.direction());
   return {i, placed(i, position(random, i.half_length), random.direction(),
                     d * random.log_uniform(1e-3, 3.0), axis, hj, position(random, hj))};
 }

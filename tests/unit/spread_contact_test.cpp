@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "test_support.h"
@@ -12,9 +13,9 @@ using namespace spherocylinder;
 
 namespace {
 
-constexpr double kReach = 1.0;       // two rods of diameter 1
-constexpr double kHalf = 4.5;        // lambda = 10
-constexpr double kOverlap = 0.01;    // of the rods when parallel
+constexpr double kReach = 1.0;     // two rods of diameter 1
+constexpr double kHalf = 4.5;      // lambda = 10
+constexpr double kOverlap = 0.01;  // of the rods when parallel
 
 // Rod j lies on rod i, shifted along it, tilted by `tilt` (its ends up and down) and turned by
 // `turn` (crossing it) about its centre.
@@ -81,8 +82,7 @@ TEST(SpreadContact, ParallelRodsTouchAtTheMiddleOfTheirCommonLength)
 {
   for (const double shift : {0.0, 1.0, -3.0, 7.0}) {
     const Scene scene = stacked(0.0, 0.0, shift);
-    const RodContact c =
-        spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
+    const RodContact c = spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
     EXPECT_NEAR(c.points.s, 0.5 * shift, 1e-12);
     EXPECT_NEAR(c.points.t, -0.5 * shift, 1e-12);
     EXPECT_NEAR(c.overlap, kOverlap, 1e-15);
@@ -248,8 +248,7 @@ TEST(SpreadContact, ForceAndTorquesAreDerivativesOfItsEnergy)
     const PairLoad load = pair_load(scene.i, scene.j, contact);
     const double size = contact.overlap, lever = 0.5 * kReach + scene.i.half_length;
     for (const bool on_j : {false, true})
-      for (const Vec3 direction :
-           {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
+      for (const Vec3 direction : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}) {
         double moved[2], turned[2];
         for (const int side : {0, 1}) {
           const double by = side ? kStep * contact.overlap : -kStep * contact.overlap;
@@ -286,8 +285,8 @@ TEST(SpreadContact, HasNoTotalTorque)
     const RodContact contact =
         spread_contact(scene.i, scene.j, kReach, closest_points(scene.i, scene.j));
     const PairLoad load = pair_load(scene.i, scene.j, contact);
-    const Vec3 total = load.torque_i + load.torque_j +
-                       cross(scene.i.centre - scene.j.centre, load.force);
+    const Vec3 total =
+        load.torque_i + load.torque_j + cross(scene.i.centre - scene.j.centre, load.force);
     const double lever = norm(scene.i.centre - scene.j.centre) + scene.i.half_length;
     worst = std::max(worst, norm(total) / (lever * contact.overlap));
   }
@@ -301,9 +300,9 @@ TEST(SpreadContact, StiffnessIsThatOfOneContact)
   RandomRods random(15485863);
   double lowest = 1.0;
   for (int k = 0; k < 200000; k++) {
-    const Scene scene = stacked(random.uniform(-0.01, 0.01) * random.uniform(0.0, 1.0),
-                                random.uniform(-0.3, 0.3) * random.uniform(0.0, 1.0),
-                                random.uniform(-8.0, 8.0));
+    const Scene scene =
+        stacked(random.uniform(-0.01, 0.01) * random.uniform(0.0, 1.0),
+                random.uniform(-0.3, 0.3) * random.uniform(0.0, 1.0), random.uniform(-8.0, 8.0));
     const double plain = norm(load_of(scene, false).force);
     if (plain < 1e-9) continue;
     const double ratio = norm(load_of(scene, true).force) / plain;
@@ -331,15 +330,14 @@ TEST(SpreadContact, IsTheSameFromEitherRod)
   RandomRods random(32452843);
   int spread = 0;
   for (int k = 0; k < 200000; k++) {
-    Scene scene = stacked(random.uniform(-0.01, 0.01), random.uniform(-0.1, 0.1),
-                          random.uniform(-8.0, 8.0));
+    Scene scene =
+        stacked(random.uniform(-0.01, 0.01), random.uniform(-0.1, 0.1), random.uniform(-8.0, 8.0));
     scene.j.half_length *= random.uniform(0.2, 1.0);
     const ClosestPoints closest = closest_points(scene.i, scene.j);
     if (closest.distance_squared >= kReach * kReach) continue;
     const RodContact one = spread_contact(scene.i, scene.j, kReach, closest);
-    const RodContact other =
-        spread_contact(scene.j, scene.i, kReach,
-                       {closest.t, closest.s, -closest.delta, closest.distance_squared});
+    const RodContact other = spread_contact(
+        scene.j, scene.i, kReach, {closest.t, closest.s, -closest.delta, closest.distance_squared});
     spread += one.overlap < kReach - std::sqrt(closest.distance_squared);
     ASSERT_NEAR(other.overlap, one.overlap, 1e-14);
     ASSERT_NEAR(other.points.s, one.points.t, 1e-10);
