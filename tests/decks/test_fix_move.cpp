@@ -187,8 +187,9 @@ TEST_P(FixMove, PaddleStrikesARod)
   const double r = std::hypot(0.06, 0.05), rate = 2.0 * kPi;
   const double angle = std::atan2(0.05, 0.06) - std::asin(0.01 / r);
   const double expected = 1.5 * rate * std::sqrt(r * r - 1e-4);
-  if (GetParam() == Mode::OneRank)
+  if (GetParam() == Mode::OneRank) {
     EXPECT_NEAR(static_cast<double>(struck), std::ceil(angle / rate / scene.dt), 1.0);
+  }
   expect_holds({"fix move rotate: speed of a rod struck by a driven one, relative",
                 "(1 + e) omega sqrt(r^2 - D^2)", 4e-3},
                std::fabs(speed / expected - 1.0));

@@ -135,10 +135,11 @@ TEST(StudyDecksLimit, PartIsThatOfBothStages)
       const Fastest fastest = fastest_in(read_dump(folder / ("dump." + stage)).back().atoms);
       EXPECT_LE(fastest.across, limit * 1.00001) << stage << part;
       EXPECT_GT(fastest.across, 0.1 * limit) << stage << part;
-      if (part == "total")
+      if (part == "total") {
         EXPECT_LE(fastest.total, limit * 1.00001) << stage;
-      else
+      } else {
         EXPECT_GT(fastest.total, 1.2 * limit) << stage;
+      }
     }
   }
 }

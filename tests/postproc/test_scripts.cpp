@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// scripts/setup and scripts/build with programs that stand in for apt-get and cmake: what they ask for,
-// what they leave alone.
+// scripts/setup, scripts/build and scripts/check with programs that stand in for apt-get, cmake,
+// clang-format and clang-tidy: what they ask for, what they leave alone.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -75,7 +75,15 @@ TEST_F(Scripts, SetupForStudies)
   ASSERT_EQ(run("scripts/setup --studies"), 0) << read("error.txt");
   EXPECT_NE(read("apt-get.calls").find("--no-remove snakemake\n"), std::string::npos);
   EXPECT_EQ(run("scripts/setup --all"), 2);
-  EXPECT_EQ(read("error.txt"), "setup: expected --studies or nothing (got '--all')\n");
+  EXPECT_EQ(read("error.txt"), "setup: expected --studies, --check or nothing (got '--all')\n");
+}
+
+TEST_F(Scripts, SetupForChecks)
+{
+  lack_packages("Inst clang-tidy (1:14.0-55.7 Debian:12 [amd64])\n");
+  write_program("bin/dpkg-query", "case $* in *clang-tidy*) exit 1 ;; esac\nprintf installed\n");
+  ASSERT_EQ(run("scripts/setup --studies --check"), 0) << read("error.txt");
+  EXPECT_NE(read("apt-get.calls").find("--no-remove clang-tidy\n"), std::string::npos);
 }
 
 // As on a machine with ParaView: its Python and VTK's exclude each other.
@@ -106,13 +114,37 @@ TEST_F(Scripts, SetupWithoutAPlan)
 TEST_F(Scripts, BuildTakesTargets)
 {
   write_program("bin/cmake", "echo \"$*\" >>cmake.calls\n");
-  ASSERT_EQ(run("scripts/build"), 0);
-  ASSERT_EQ(run("scripts/build dev"), 0);
-  ASSERT_EQ(run("scripts/build release lmp rod_packing"), 0);
-  EXPECT_EQ(read("cmake.calls"),
-            "--preset release\n--build --preset release\n"
-            "--preset dev\n--build --preset dev\n"
-            "--preset release\n--build --preset release --target lmp rod_packing\n");
+  ASSERT_EQ(run("env -u CI scripts/build"), 0);
+  ASSERT_EQ(run("env -u CI scripts/build dev"), 0);
+  ASSERT_EQ(run("env CI=1 scripts/build release lmp rod_packing"), 0);
+  EXPECT_EQ(read("cmake.calls"), "--preset release\n--build --preset release\n"
+                                 "--preset dev\n--build --preset dev\n"
+                                 "--preset release -DCMAKE_COMPILE_WARNING_AS_ERROR=ON\n"
+                                 "--build --preset release --target lmp rod_packing\n");
+}
+
+TEST_F(Scripts, CheckAsksBothTools)
+{
+  write_program("bin/clang-format", "echo \"format $*\" >>clang.calls\n");
+  write_program("bin/clang-tidy", "echo \"tidy $*\" >>clang.calls\n");
+  fs::create_directories(folder() / "build/quick");
+  write("build/quick/compile_commands.json",
+        fmt::format("[{{\"file\": \"{}/built.cpp\"}}]\n", fs::canonical(folder()).string()));
+  for (const char *file : {"built.cpp", "other.cpp", "some.h", "page.md"}) write(file, "");
+  ASSERT_EQ(run("scripts/check *.cpp *.h *.md"), 0) << read("out.txt") << read("error.txt");
+  EXPECT_EQ(read("clang.calls"), "format --dry-run -Werror built.cpp other.cpp some.h\n"
+                                 "tidy -p build/quick --quiet built.cpp\n");
+  write_program("bin/clang-tidy", "exit 1\n");
+  EXPECT_NE(run("scripts/check built.cpp"), 0);
+}
+
+TEST_F(Scripts, CheckSaysWhatIsMissing)
+{
+  write_program("bin/clang-format", "");
+  for (const char *tool : {"bash", "dirname"})
+    fs::create_symlink(fs::path("/usr/bin") / tool, folder() / "bin" / tool);
+  EXPECT_EQ(run("PATH=bin /usr/bin/bash scripts/check"), 1);
+  EXPECT_EQ(read("error.txt"), "check: clang-tidy is missing, scripts/setup --check installs it\n");
 }
 
 }  // namespace
