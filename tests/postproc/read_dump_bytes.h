@@ -15,6 +15,7 @@
 #include "io/rods.h"
 #include "measures/close_pairs.h"
 #include "measures/contact_forces.h"
+#include "solid/capsule_measures.h"
 
 namespace spherocylinder {
 
