@@ -151,7 +151,9 @@ void draw(const DumpFrame &frame, const std::vector<Rod> &rods, const ShownPart 
                                  frame.step, part.left_out_by(), rods.size()));
   picture.caption = caption_of(frame, rods, shown.size(), options.timestep);
   part.set(picture, frame);
-  OutputFile{path};    // can it be written?
+  {
+    const OutputFile probe(path);  // can it be written?
+  }
   need_display(argv);  // may start the program again: all is said, no file is open
   OutputFile output(path);
   write_bed_picture(output.working_path(), shown, colour, picture);

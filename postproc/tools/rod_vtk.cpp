@@ -42,7 +42,7 @@ double time_of(const DumpFrame &frame, const Options &options)
 std::vector<std::string> write_vessel(const UprightCylinder &vessel, int axis,
                                       const std::string &out)
 {
-  const std::vector<std::string> files{out + "_vessel.vtp", out + "_floor.vtp"};
+  std::vector<std::string> files{out + "_vessel.vtp", out + "_floor.vtp"};
   const vtkSmartPointer<vtkPolyData> meshes[] = {vessel_wall(vessel), vessel_floor(vessel)};
   for (std::size_t i = 0; i < files.size(); i++) {
     turn_to_space(meshes[i], axis);

@@ -30,7 +30,7 @@ const char *word_for(HostKind kind)
   switch (kind) {
     case HostKind::Fix: return "Fix";
     case HostKind::Compute: return "Compute";
-    case HostKind::Command: return "Command";
+    case HostKind::Command:
     case HostKind::BuiltIn: return "Command";
     case HostKind::Pair: return "Pair style";
     case HostKind::AtomStyle: return "Atom style";

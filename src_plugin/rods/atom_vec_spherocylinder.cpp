@@ -187,9 +187,9 @@ void AtomVecSpherocylinder::grow(int n)
 
 void AtomVecSpherocylinder::grow_reset()
 {
-  x = atom->x;
-  shape = atom->shape;
-  quaternion = atom->quaternion;
+  x_ = atom->x;
+  shape_ = atom->shape;
+  quaternion_ = atom->quaternion;
 }
 
 bigint AtomVecSpherocylinder::memory_usage()
@@ -238,8 +238,8 @@ void AtomVecSpherocylinder::set_rod(int i, double diameter, double total_length,
   atom->rmass[i] = properties.mass;
   atom->volume[i] = properties.volume;
   atom->area[i] = properties.area;
-  shape[i][0] = shape[i][1] = 0.5 * diameter;
-  shape[i][2] = 0.5 * total_length;
+  shape_[i][0] = shape_[i][1] = 0.5 * diameter;
+  shape_[i][2] = 0.5 * total_length;
   atom->inertia[i][0] = atom->inertia[i][1] = properties.inertia_transverse;
   atom->inertia[i][2] = properties.inertia_axial;
 }
@@ -289,7 +289,7 @@ const double *AtomVecSpherocylinder::unpack(unsigned travel, int n, int first, c
   });
   if (travel & (kBorder | kWhole))
     for (int i = first; i < first + n; i++)
-      set_rod(i, 2.0 * shape[i][0], 2.0 * atom->radius[i], atom->density[i]);
+      set_rod(i, 2.0 * shape_[i][0], 2.0 * atom->radius[i], atom->density[i]);
   return in;
 }
 
@@ -443,11 +443,11 @@ void AtomVecSpherocylinder::create_atom(int itype, double *coord)
   atom->type[i] = itype;
   atom->mask[i] = 1;
   atom->image[i] = ((tagint) IMGMAX << IMG2BITS) | ((tagint) IMGMAX << IMGBITS) | IMGMAX;
-  put(x[i], coord, 3);
+  put(x_[i], coord, 3);
   sc::store(sc::Vec3{0.0, 0.0, 0.0}, atom->v[i]);
   sc::store(sc::Vec3{0.0, 0.0, 0.0}, atom->omega[i]);
   sc::store(sc::Vec3{0.0, 0.0, 0.0}, atom->angmom[i]);
-  sc::store(sc::Quaternion{1.0, 0.0, 0.0, 0.0}, quaternion[i]);
+  sc::store(sc::Quaternion{1.0, 0.0, 0.0, 0.0}, quaternion_[i]);
   set_rod(i, 0.0, 0.0, 1.0);
   atom->nlocal++;
 }
@@ -461,7 +461,7 @@ void AtomVecSpherocylinder::data_atom(double *coord, tagint imagetmp, char **val
   atom->image[i] = imagetmp;
   set_rod(i, atof(values[2]), atof(values[3]), atof(values[4]));
   const sc::Vec3 axis = {atof(values[8]), atof(values[9]), atof(values[10])};
-  sc::store(sc::orientation_of((1.0 / sc::norm(axis)) * axis), quaternion[i]);
+  sc::store(sc::orientation_of((1.0 / sc::norm(axis)) * axis), quaternion_[i]);
 }
 
 // vx vy vz wx wy wz, space frame
@@ -471,7 +471,7 @@ void AtomVecSpherocylinder::data_vel(int m, char **values)
     atom->v[m][d] = atof(values[d]);
     atom->omega[m][d] = atof(values[3 + d]);
   }
-  const sc::Vec3 axis = sc::axis_of(sc::load_quaternion(quaternion[m]));
+  const sc::Vec3 axis = sc::axis_of(sc::load_quaternion(quaternion_[m]));
   sc::store(sc::angular_momentum(sc::load(atom->omega[m]), axis, atom->inertia[m][2],
                                  atom->inertia[m][0]),
             atom->angmom[m]);
@@ -485,11 +485,11 @@ void AtomVecSpherocylinder::pack_data(double **buf, int tag_offset)
     double *out = buf[i];
     *out++ = ubuf(atom->tag[i] + tag_offset).d;
     *out++ = ubuf(atom->type[i]).d;
-    *out++ = 2.0 * shape[i][0];
+    *out++ = 2.0 * shape_[i][0];
     *out++ = 2.0 * atom->radius[i];
     *out++ = atom->density[i];
-    out = put(out, x[i], 3);
-    sc::store(sc::axis_of(sc::load_quaternion(quaternion[i])), out);
+    out = put(out, x_[i], 3);
+    sc::store(sc::axis_of(sc::load_quaternion(quaternion_[i])), out);
     out += 3;
     *out++ = ubuf((atom->image[i] & IMGMASK) - IMGMAX).d;
     *out++ = ubuf((atom->image[i] >> IMGBITS & IMGMASK) - IMGMAX).d;

@@ -74,10 +74,10 @@ class AtomVecSpherocylinder : public AtomVec {
   // Rod i as geometry (space frame, m), for owned and ghost rods.
   SPHEROCYLINDER_INLINE spherocylinder::Capsule capsule(int i) const
   {
-    return {{spherocylinder::load(x[i]),
-             spherocylinder::axis_of(spherocylinder::load_quaternion(quaternion[i])),
-             shape[i][2] - shape[i][0]},
-            shape[i][0]};
+    return {{spherocylinder::load(x_[i]),
+             spherocylinder::axis_of(spherocylinder::load_quaternion(quaternion_[i])),
+             shape_[i][2] - shape_[i][0]},
+            shape_[i][0]};
   }
 
   // What others keep for all rods of the simulation.
@@ -91,7 +91,7 @@ class AtomVecSpherocylinder : public AtomVec {
 
  private:
   // Of Atom's arrays, those that make up a capsule.
-  double **x = nullptr, **quaternion = nullptr, **shape = nullptr;
+  double **x_ = nullptr, **quaternion_ = nullptr, **shape_ = nullptr;
   Attachments attachments_;
   std::unique_ptr<RodWatcher> watcher_;
 

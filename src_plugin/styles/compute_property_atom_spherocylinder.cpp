@@ -11,7 +11,6 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
-namespace sc = spherocylinder;
 
 namespace {
 

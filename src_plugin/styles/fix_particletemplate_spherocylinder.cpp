@@ -180,6 +180,7 @@ void FixParticletemplateSpherocylinder::init_ptilist(int n_random_max, const boo
 {
   if (pti_list) error->one(FLERR, "Fix particletemplate/spherocylinder: list exists already");
   n_pti_max = n_random_max;
+  // An array of pointers. NOLINTNEXTLINE(bugprone-sizeof-expression)
   pti_list = static_cast<ParticleToInsert **>(
       memory->smalloc(n_pti_max * sizeof(ParticleToInsert *), "pti_list"));
   for (int i = 0; i < n_pti_max; i++)

@@ -66,7 +66,7 @@ std::string ReadDataSpherocylinder::fault_of(const std::string &file, int narg, 
   FILE *stream =
       is_compressed ? popen(("gunzip -c '" + file + "'").c_str(), "r") : fopen(file.c_str(), "r");
   if (!stream) return "";
-  const std::string fault = fault_of_data_file(stream, surroundings);
+  std::string fault = fault_of_data_file(stream, surroundings);
   if (is_compressed)
     pclose(stream);
   else

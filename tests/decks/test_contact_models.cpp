@@ -175,41 +175,42 @@ struct Cohesion {
 TEST(RodCohesion, Sjkr)
 {
   const double k = 1e6, r = Rod().radius();
-  enum Case { Lies, Hangs, Falls };
-  for (const Case kind : {Lies, Hangs, Falls}) {
+  enum Case { kLies, kHangs, kFalls };
+  for (const Case kind : {kLies, kHangs, kFalls}) {
     for (const bool floor : {true, false}) {
-      const double share = kind == Lies ? 0.4 : 1.02;  // of c at which the bracket is 0
+      const double share = kind == kLies ? 0.4 : 1.02;  // of c at which the bracket is 0
       const double c = share * k / ((floor ? 2.0 : 1.0) * kPi * r);
       const Cohesion contact = floor ? Cohesion{k - 2.0 * kPi * c * r, kPi * c}
                                      : Cohesion{k - kPi * c * r, 0.25 * kPi * c};
       Rod rod;
-      if (kind != Lies) {
-        const double times = kind == Hangs ? 0.8 : 1.2;
+      if (kind != kLies) {
+        const double times = kind == kHangs ? 0.8 : 1.2;
         rod.density *= times * 2.0 * contact.largest_pull() / (rod.mass() * kGravity);
       }
       const double load = 0.5 * rod.mass() * kGravity;
       const double overlap =
-          contact.overlap(kind == Lies ? load : -std::min(load, 0.8 * contact.largest_pull()));
+          contact.overlap(kind == kLies ? load : -std::min(load, 0.8 * contact.largest_pull()));
       Scene scene = lying_rods(rod, 1.02 * overlap, 1.02 * overlap, 0.03);
       scene.rods.erase(floor ? scene.rods.begin() + 1 : scene.rods.begin());
       if (floor) scene.rods.resize(1);
       scene.physics = linear_material(k, k, 0.6, 0.5, 2) +
                       pair_property("cohesionEnergyDensity", 2, c) +
                       contacts("linear tangential history cohesion sjkr") +
-                      gravity({0.0, 0.0, kind == Lies ? -1.0 : 1.0});
+                      gravity({0.0, 0.0, kind == kLies ? -1.0 : 1.0});
       scene.box_hi[2] = 3.0;
       scene.dt = 5e-6;
       scene.steps = 60000;
       const Rod after = run(scene).back().rods[0];
       const double now = 1.02 * overlap + scene.rods[0].position.z - after.position.z;
-      if (kind == Falls) {
+      if (kind == kFalls) {
         EXPECT_LT(now, 0.0) << "a rod of 1.2 of the largest pull must come off";
         continue;
       }
       SCOPED_TRACE(floor ? "on the floor" : "on two rods");
-      expect_holds({fmt::format("sjkr, rod {}: overlap, relative", kind == Lies ? "lies" : "hangs"),
-                    "root of m g/2 = k d - c A(d)", 1e-6},
-                   std::fabs(now / overlap - 1.0));
+      expect_holds(
+          {fmt::format("sjkr, rod {}: overlap, relative", kind == kLies ? "lies" : "hangs"),
+           "root of m g/2 = k d - c A(d)", 1e-6},
+          std::fabs(now / overlap - 1.0));
     }
   }
 }

@@ -11,7 +11,6 @@
 #include <iterator>
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 
 #include "manual_page.h"
