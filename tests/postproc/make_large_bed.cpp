@@ -79,8 +79,9 @@ int main(int argc, char **argv)
           if (std::hypot(c.x, c.y) > radius) continue;
           const Quaternion q = orientation_of(s.axis);
           const double r = 0.5 * kDiameter * inflated;
+          id++;
           rows += fmt::format(
-              "{} 1 {:g} {:g} {:g} 0 0 -0.01 0 0 0 {:g} {:g} {:g} {:g} {:g} {:g} {:g} {} \n", ++id,
+              "{} 1 {:g} {:g} {:g} 0 0 -0.01 0 0 0 {:g} {:g} {:g} {:g} {:g} {:g} {:g} {} \n", id,
               c.x, c.y, c.z, r, r, r + half_length, q.w, q.x, q.y, q.z, id % 9);
         }
   auto file = fmt::output_file(argv[1]);
