@@ -180,8 +180,8 @@ void FixParticletemplateSpherocylinder::init_ptilist(int n_random_max, const boo
 {
   if (pti_list) error->one(FLERR, "Fix particletemplate/spherocylinder: list exists already");
   n_pti_max = n_random_max;
-  // An array of pointers. NOLINTNEXTLINE(bugprone-sizeof-expression)
   pti_list = static_cast<ParticleToInsert **>(
+      // An array of pointers. NOLINTNEXTLINE(bugprone-sizeof-expression)
       memory->smalloc(n_pti_max * sizeof(ParticleToInsert *), "pti_list"));
   for (int i = 0; i < n_pti_max; i++)
     pti_list[i] = new ParticleToInsertSpherocylinder(lmp, fix_release);
