@@ -15,7 +15,7 @@
 #include "core/five_step_search.h"
 #include "error.h"
 #include "force.h"
-#include "host/history_values.h"
+#include "host/private_members.h"
 #include "host/rod_error.h"
 #include "lists/lists_in_use.h"
 #include "neigh_list.h"

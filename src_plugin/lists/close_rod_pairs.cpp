@@ -9,6 +9,7 @@
 #include "core/rotation.h"
 #include "core/skin.h"
 #include "domain.h"
+#include "host/host_limits.h"
 #include "host/rod_error.h"
 #include "neigh_list.h"
 #include "neighbor.h"
@@ -40,7 +41,7 @@ constexpr double kCellCost = 45.0, kTryCost = 25.0;
 
 void CloseRodPairs::reset(const PairGran &pair, double skin)
 {
-  list_.take_over(pair);
+  leave_lists_unbuilt(*neighbor, &pair);  // they are filled here
   counts_ = RodPairCounts();
   work_ = Work();
   seen_builds_ = -1;

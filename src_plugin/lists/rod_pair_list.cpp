@@ -6,41 +6,19 @@
 #include "atom.h"
 #include "fix_contact_history.h"
 #include "group.h"
+#include "host/private_members.h"
 #include "neigh_list.h"
-#include "neigh_request.h"
 #include "neighbor.h"
 #include "pair_gran.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
-namespace {
-
-// Names Neighbor's protected test of `neigh_modify exclude`.
-struct Exclusion : Neighbor {
-  static bool any(const Neighbor &neighbor) { return neighbor.*(&Exclusion::exclude) != 0; }
-  static bool of(const Neighbor &neighbor, int i, int j, const Atom &atom)
-  {
-    return (neighbor.*(&Exclusion::exclusion))(i, j, atom.type[i], atom.type[j], atom.mask,
-                                               atom.molecule) != 0;
-  }
-};
-
-}  // namespace
-
-// An occasional list is built when someone asks for it: nobody does.
-void RodPairList::take_over(const PairGran &pair)
-{
-  for (int k = 0; k < neighbor->nrequest; k++)
-    if (neighbor->requests[k]->requestor == static_cast<const void *>(&pair))
-      neighbor->requests[k]->occasional = 1;
-}
-
 bool RodPairList::is_listed(int i, int j) const
 {
   const int include = neighbor->includegroup;
   if (include && !(atom->mask[j] & group->bitmask[include])) return false;
-  return !Exclusion::any(*neighbor) || !Exclusion::of(*neighbor, i, j, *atom);
+  return !has_exclusions(*neighbor) || !is_excluded(*neighbor, *atom, i, j);
 }
 
 // Of pairs that are in the list before, too; both lists name partners in ascending order.

@@ -23,9 +23,6 @@ class RodPairList : protected Pointers {
  public:
   explicit RodPairList(LAMMPS *lmp) : Pointers(lmp) {}
 
-  // To be called when the pair style has asked for its lists: LIGGGHTS is not to build them.
-  void take_over(const PairGran &pair);
-
   // Lists the pairs nearer than `gap` (m), partners of a rod in ascending order. Histories come from
   // fix contacthistory if LIGGGHTS has just migrated the rods, else from the list before.
   void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, double gap,

@@ -14,7 +14,7 @@
 #include "fix.h"
 #include "force.h"
 #include "group.h"
-#include "host/member_access.h"
+#include "host/private_members.h"
 #include "host/rod_error.h"
 #include "lammps.h"
 #include "loader/host_styles.h"
@@ -29,23 +29,6 @@
 using namespace LAMMPS_NS;
 
 namespace spherocylinder {
-
-// Not in an unnamed namespace: ExposeMember's friend is looked up beside it.
-struct GhostGroup {
-  using type = int Comm::*;
-  friend type member(GhostGroup);
-};
-template struct ExposeMember<GhostGroup, &Comm::bordergroup>;
-struct DumpFormat {
-  using type = char *Dump::*;
-  friend type member(DumpFormat);
-};
-template struct ExposeMember<DumpFormat, &Dump::format_user>;
-struct DumpColumns {
-  using type = int Dump::*;
-  friend type member(DumpColumns);
-};
-template struct ExposeMember<DumpColumns, &Dump::size_one>;
 
 namespace {
 
@@ -163,7 +146,7 @@ void renew_lists_in_time(LAMMPS *lmp)
 
 void check_ghosts(LAMMPS *lmp)
 {
-  const int group = lmp->comm->*member(GhostGroup());
+  const int group = ghost_group(*lmp->comm);
   if (group > 0)
     rod_error_all(
         lmp,
@@ -203,12 +186,12 @@ void say_if_rods_cannot_touch(LAMMPS *lmp)
 void check_dump_format(LAMMPS *lmp, Dump &dump)
 {
   if (!is(dump.style, "custom") && !is(dump.style, "local")) return;
-  const char *format = dump.*member(DumpFormat());
+  const char *format = dump_format(dump);
   if (!format) return;
   std::istringstream stream(format);
   int words = 0;
   for (std::string word; stream >> word;) words++;
-  const int columns = dump.*member(DumpColumns());
+  const int columns = dump_columns(dump);
   if (words < columns)
     rod_error_all(lmp,
                   "Dump %s (id %s): the format of dump_modify must have a word for each of the %d "

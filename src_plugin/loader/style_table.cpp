@@ -9,7 +9,7 @@
 #include "atom.h"
 #include "contacts/contact_styles.h"
 #include "delete_atoms.h"
-#include "host/member_access.h"
+#include "host/private_members.h"
 #include "input.h"
 #include "lammps.h"
 #include "loader/run_checks.h"
@@ -47,29 +47,6 @@
 using namespace LAMMPS_NS;
 
 namespace spherocylinder {
-
-using FixCreator = Fix *(*) (LAMMPS *, int, char **);
-using ComputeCreator = Compute *(*) (LAMMPS *, int, int, char **);
-using CommandCreator = void (*)(LAMMPS *, int, char **);
-
-// Not in an unnamed namespace: ExposeMember's friend is looked up beside these.
-struct FixMap {
-  using type = std::map<std::string, FixCreator> *Modify::*;
-  friend type member(FixMap);
-};
-struct ComputeMap {
-  using type = std::map<std::string, ComputeCreator> *Modify::*;
-  friend type member(ComputeMap);
-};
-
-struct CommandMap {
-  using type = std::map<std::string, CommandCreator> *Input::*;
-  friend type member(CommandMap);
-};
-
-template struct ExposeMember<FixMap, &Modify::fix_map>;
-template struct ExposeMember<ComputeMap, &Modify::compute_map>;
-template struct ExposeMember<CommandMap, &Input::command_map>;
 
 namespace {
 
@@ -136,9 +113,9 @@ void add_styles(LAMMPS *lmp)
 {
   register_contact_styles();
 
-  auto &fixes = *(lmp->modify->*member(FixMap()));
-  auto &computes = *(lmp->modify->*member(ComputeMap()));
-  auto &commands = *(lmp->input->*member(CommandMap()));
+  auto &fixes = fix_styles(*lmp->modify);
+  auto &computes = compute_styles(*lmp->modify);
+  auto &commands = command_styles(*lmp->input);
 #define FIX_CLASS
 #define FixStyle(key, Class) fixes[#key] = &create_fix<Class>;
 #include "styles/fix_balance.h"

@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "host/host_limits.h"
 #include "host/rod_error.h"
 #include "irregular.h"
 #include "lammps.h"
@@ -16,10 +17,6 @@
 using namespace LAMMPS_NS;
 
 namespace {
-
-// Irregular's buffer has room for 1,000 numbers of a rod beyond what it has grown to. Contacts with
-// other rods may need more; a rod's state and its contacts with walls need less than 100.
-constexpr int kRoomForContacts = 900;
 
 // The part of the box along one dimension that holds x, counted from the part `from`.
 int part_of(double x, double lo, double length, const double *splits, int parts, int from)

@@ -14,6 +14,7 @@ AtomStyle(spherocylinder, AtomVecSpherocylinder)
 #include "core/capsule.h"
 #include "core/rotation.h"
 #include "rods/attachments.h"
+#include "rods/field_travel.h"
 #include "rods/rod_watcher.h"
 
 namespace LAMMPS_NS {
@@ -95,6 +96,7 @@ class AtomVecSpherocylinder : public AtomVec {
   Attachments attachments_;
   std::unique_ptr<RodWatcher> watcher_;
 
+  GhostGain gain_across(unsigned travel, const int *pbc) const;
   int pack(unsigned travel, int n, const int *list, double *buf, int pbc_flag,
            const int *pbc) const;
   const double *unpack(unsigned travel, int n, int first, const double *buf);

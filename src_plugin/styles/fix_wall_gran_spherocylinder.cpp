@@ -9,7 +9,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "fix_property_atom.h"
-#include "host/member_access.h"
+#include "host/private_members.h"
 #include "host/rod_error.h"
 #include "input.h"
 #include "modify.h"
@@ -20,21 +20,7 @@
 
 using namespace LAMMPS_NS;
 
-namespace spherocylinder {
-
-// A plane's position, a cylinder's radius and axis. Not in an unnamed namespace: ExposeMember's friend is
-// looked up beside this.
-struct WallParameters {
-  using type = double *PrimitiveWall::*;
-  friend type member(WallParameters);
-};
-
-template struct ExposeMember<WallParameters, &PrimitiveWall::param>;
-
-}  // namespace spherocylinder
-
 using spherocylinder::Vec3;
-using spherocylinder::WallParameters;
 
 namespace {
 
@@ -65,7 +51,7 @@ FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments 
   arguments_.others.clear();  // the deck's line is not kept
   restart_global = has_variable();
   if (!primitiveWall_) return;
-  const double radius = (primitiveWall_->*member(WallParameters()))[0];
+  const double radius = wall_parameters(*primitiveWall_)[0];
   if (surface_of(*primitiveWall_).is_cylinder && !(radius > 0.0 && std::isfinite(radius)))
     rod_error_all(lmp, "Fix wall/gran (id %s): the cylinder's radius must be > 0 (got %g)", id,
                   radius);
@@ -178,7 +164,7 @@ void FixWallGranSpherocylinder::move_plane()
   position_ = position;
   position_step_ = update->ntimestep;
 
-  (primitiveWall_->*member(WallParameters()))[0] = position;
+  wall_parameters(*primitiveWall_)[0] = position;
   wall_ = moving_wall();
   if (std::fabs(position - listed_position_) > kUsedOfSkin * neighbor->skin)
     rebuildPrimitiveNeighlist_ = true;

@@ -15,7 +15,7 @@
 #include <mpi.h>
 
 #include "force.h"
-#include "host/member_access.h"
+#include "host/private_members.h"
 #include "input.h"
 #include "lammps.h"
 #include "loader/host_styles.h"
@@ -24,26 +24,6 @@
 using namespace LAMMPS_NS;
 
 namespace spherocylinder {
-
-using FixCreator = Fix *(*) (LAMMPS *, int, char **);
-using ComputeCreator = Compute *(*) (LAMMPS *, int, int, char **);
-using CommandCreator = void (*)(LAMMPS *, int, char **);
-
-struct FixMap {
-  using type = std::map<std::string, FixCreator> *Modify::*;
-  friend type member(FixMap);
-};
-struct ComputeMap {
-  using type = std::map<std::string, ComputeCreator> *Modify::*;
-  friend type member(ComputeMap);
-};
-struct CommandMap {
-  using type = std::map<std::string, CommandCreator> *Input::*;
-  friend type member(CommandMap);
-};
-template struct ExposeMember<FixMap, &Modify::fix_map>;
-template struct ExposeMember<ComputeMap, &Modify::compute_map>;
-template struct ExposeMember<CommandMap, &Input::command_map>;
 
 namespace {
 
@@ -130,9 +110,9 @@ Names without_superquadrics(Names names)
 
 TEST_F(HostNames, OfTheMaps)
 {
-  expect_same(table(HostKind::Fix), keys(*(lammps->modify->*member(FixMap()))), "fix");
-  expect_same(table(HostKind::Compute), keys(*(lammps->modify->*member(ComputeMap()))), "compute");
-  expect_same(table(HostKind::Command), keys(*(lammps->input->*member(CommandMap()))), "command");
+  expect_same(table(HostKind::Fix), keys(fix_styles(*lammps->modify)), "fix");
+  expect_same(table(HostKind::Compute), keys(compute_styles(*lammps->modify)), "compute");
+  expect_same(table(HostKind::Command), keys(command_styles(*lammps->input)), "command");
   Names pairs = keys(*lammps->force->pair_map);
   pairs.insert("none");  // Force::create_pair asks for it by name
   expect_same(table(HostKind::Pair), pairs, "pair style");

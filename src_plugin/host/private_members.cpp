@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// C++ does not check access on the arguments of an explicit template instantiation
+// ([temp.explicit]/13), so that a private member's pointer can be handed to a friend function there.
+// Protected members are named from a class derived for it.
+#include "host/private_members.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "dump.h"
+#include "input.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair_gran.h"
+#include "primitive_wall.h"
+
+namespace LAMMPS_NS {
+
+// Not in an unnamed namespace: the friend is looked up beside its tag.
+template <typename Tag, typename Tag::type Member>
+struct ExposeMember {
+  friend typename Tag::type member(Tag) { return Member; }
+};
+
+#define EXPOSE_MEMBER(Tag, Class, name, ...) \
+  struct Tag {                               \
+    using type = __VA_ARGS__ Class::*;       \
+    friend type member(Tag);                 \
+  };                                         \
+  template struct ExposeMember<Tag, &Class::name>;
+
+EXPOSE_MEMBER(FixMap, Modify, fix_map, std::map<std::string, FixCreator> *)
+EXPOSE_MEMBER(ComputeMap, Modify, compute_map, std::map<std::string, ComputeCreator> *)
+EXPOSE_MEMBER(CommandMap, Input, command_map, std::map<std::string, CommandCreator> *)
+EXPOSE_MEMBER(GhostGroup, Comm, bordergroup, int)
+EXPOSE_MEMBER(DumpFormat, Dump, format_user, char *)
+EXPOSE_MEMBER(DumpColumns, Dump, size_one, int)
+EXPOSE_MEMBER(WallParameters, PrimitiveWall, param, double *)
+
+#undef EXPOSE_MEMBER
+
+namespace {
+
+struct PairAccess : PairGran {
+  static const std::vector<HistoryArg> &history(PairGran &pair)
+  {
+    return pair.*(&PairAccess::history_arg);
+  }
+};
+
+struct Exclusion : Neighbor {
+  static bool any(const Neighbor &neighbor) { return neighbor.*(&Exclusion::exclude) != 0; }
+  static bool of(const Neighbor &neighbor, int i, int j, const Atom &atom)
+  {
+    return (neighbor.*(&Exclusion::exclusion))(i, j, atom.type[i], atom.type[j], atom.mask,
+                                               atom.molecule) != 0;
+  }
+};
+
+}  // namespace
+
+std::map<std::string, FixCreator> &fix_styles(Modify &modify)
+{
+  return *(modify.*member(FixMap()));
+}
+
+std::map<std::string, ComputeCreator> &compute_styles(Modify &modify)
+{
+  return *(modify.*member(ComputeMap()));
+}
+
+std::map<std::string, CommandCreator> &command_styles(Input &input)
+{
+  return *(input.*member(CommandMap()));
+}
+
+int ghost_group(const Comm &comm) { return comm.*member(GhostGroup()); }
+
+const char *dump_format(const Dump &dump) { return dump.*member(DumpFormat()); }
+
+int dump_columns(const Dump &dump) { return dump.*member(DumpColumns()); }
+
+double *wall_parameters(PrimitiveWall &wall) { return wall.*member(WallParameters()); }
+
+int history_value(PairGran &pair, const std::string &name)
+{
+  const auto &values = PairAccess::history(pair);
+  for (size_t k = 0; k < values.size(); k++)
+    if (values[k].name == name) return static_cast<int>(k);
+  return -1;
+}
+
+bool has_exclusions(const Neighbor &neighbor) { return Exclusion::any(neighbor); }
+
+bool is_excluded(const Neighbor &neighbor, const Atom &atom, int i, int j)
+{
+  return Exclusion::of(neighbor, i, j, atom);
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What LIGGGHTS's classes keep to themselves and rods need, all of it, each by a function.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace LAMMPS_NS {
+
+class Atom;
+class Comm;
+class Compute;
+class Dump;
+class Fix;
+class Input;
+class LAMMPS;
+class Modify;
+class Neighbor;
+class PairGran;
+class PrimitiveWall;
+
+// The styles that a deck can name, and who makes them.
+using FixCreator = Fix *(*) (LAMMPS *, int, char **);
+using ComputeCreator = Compute *(*) (LAMMPS *, int, int, char **);
+using CommandCreator = void (*)(LAMMPS *, int, char **);
+std::map<std::string, FixCreator> &fix_styles(Modify &modify);
+std::map<std::string, ComputeCreator> &compute_styles(Modify &modify);
+std::map<std::string, CommandCreator> &command_styles(Input &input);
+
+// `communicate group`: 0 is all.
+int ghost_group(const Comm &comm);
+
+// `dump_modify format`, nullptr if there was none, and how many columns the dump has.
+const char *dump_format(const Dump &dump);
+int dump_columns(const Dump &dump);
+
+// A plane's position, a cylinder's radius and axis.
+double *wall_parameters(PrimitiveWall &wall);
+
+// Where a pair's contact history keeps a value, -1 if it does not: the stock models do not all tell.
+int history_value(PairGran &pair, const std::string &name);
+
+// `neigh_modify exclude`: whether the deck has any, and whether it takes out the pair i, j.
+bool has_exclusions(const Neighbor &neighbor);
+bool is_excluded(const Neighbor &neighbor, const Atom &atom, int i, int j);
+
+}  // namespace LAMMPS_NS
