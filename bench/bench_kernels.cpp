@@ -120,7 +120,7 @@ void LinearContactsInPlace(benchmark::State &state)
     batch.two_beta[k] = 0.4;
     batch.friction[k] = 0.3;
   }
-  const LinearLaw law{Tangential::History, true, false, 1e-5};
+  const LinearOptions law{Tangential::History, true, false, 1e-5};
   for (auto _ : state) {
     linear_contacts(batch, law);
     benchmark::ClobberMemory();

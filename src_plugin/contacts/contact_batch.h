@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "core/contact_arms.h"
 
 namespace LAMMPS_NS {
@@ -17,13 +19,12 @@ struct ContactBatch {
   // Places in memory; of a wall j is -1.
   int i[spherocylinder::kBatch]{}, j[spherocylinder::kBatch]{};
   int type_i[spherocylinder::kBatch]{}, type_j[spherocylinder::kBatch]{};
-  // One number for all that does not move of both, RodKinds::kNone where there is none. What a law has
-  // once worked out for a place in the batch holds while its number stays.
-  int kind[spherocylinder::kBatch]{};
-  int end[spherocylinder::kBatch]{};     // of a rod at a wall: 0 at -u, 1 at +u; 0 of a pair
-  int *flags[spherocylinder::kBatch]{};  // of LIGGGHTS's contact, null without
-  // The models' values, null without; both ends' at a wall.
-  double *history[spherocylinder::kBatch]{};
+  // One number for all that does not move of both, > 0, or RodKinds::kNone. What a law has once worked
+  // out for a place in the batch holds while its number stays.
+  int64_t kind[spherocylinder::kBatch]{};
+  int end[spherocylinder::kBatch]{};          // of a rod at a wall, for rows: 0 at -u, 1 at +u
+  int *flags[spherocylinder::kBatch]{};       // of LIGGGHTS's contact, null without
+  double *history[spherocylinder::kBatch]{};  // the models' values, null without
 
   // What contacts spread over nearly parallel rods push beside the law's force, over the stiffness: see
   // spherocylinder::RodContact.
@@ -40,5 +41,8 @@ struct ContactBatch {
   double depth_i(int k) const { return arms.radius_i[k] - 0.5 * (reach(k) - arms.distance[k]); }
   double depth_j(int k) const { return arms.radius_j[k] - 0.5 * (reach(k) - arms.distance[k]); }
 };
+
+// Adds what contacts spread over nearly parallel rods push beside the law's force.
+void add_spread(ContactBatch &batch);
 
 }  // namespace LAMMPS_NS

@@ -12,7 +12,8 @@ struct LawStep {
   bool springs_go_on;  // histories are written
 };
 
-// Makes forces of contacts.
+// Makes forces of contacts: between begin and end, of as many batches as the step has. The same law may
+// be shown several batches in turn. contact_ended needs neither.
 class ContactLaw {
  public:
   virtual ~ContactLaw() = default;
@@ -21,8 +22,9 @@ class ContactLaw {
   // From the arms, types and histories of a batch its loads; arms as spherocylinder::ContactPlace has
   // them. Histories go on.
   virtual void evaluate(ContactBatch &batch) = 0;
-  // Contact of rod i, with rod j or with its end `end` at a wall (j < 0), has ended.
-  virtual void part(int i, int j, int end, int *flags, double *history) = 0;
+  // Rod i no longer touches rod j, or the wall where j < 0: its history is forgotten. Flags and history
+  // as in ContactBatch.
+  virtual void contact_ended(int i, int j, int *flags, double *history) = 0;
   virtual void end() = 0;
 };
 

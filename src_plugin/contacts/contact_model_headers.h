@@ -2,11 +2,11 @@
 // LIGGGHTS's contact model templates. They need these headers before them, in this order.
 #pragma once
 
+// clang-format off
 #include "fix_mesh_surface.h"
 #include "global_properties.h"
 #include "neighbor.h"
 #include "vector_liggghts.h"
-// clang-format on
 #include "modify.h"
-// clang-format off
 #include "contact_models.h"
+// clang-format on

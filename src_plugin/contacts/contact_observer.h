@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "contacts/contact_batch.h"
 
 namespace LAMMPS_NS {
@@ -11,5 +13,12 @@ class ContactObserver {
   virtual ~ContactObserver() = default;
   virtual void see(const ContactBatch &batch) = 0;
 };
+
+using ContactObservers = std::vector<ContactObserver *>;
+
+inline void show(const ContactBatch &batch, const ContactObservers &observers)
+{
+  for (ContactObserver *observer : observers) observer->see(batch);
+}
 
 }  // namespace LAMMPS_NS

@@ -16,7 +16,7 @@ struct ContactRow {
   spherocylinder::Vec3 normal;         // unit, towards rod i
   spherocylinder::Vec3 point;          // where the force acts
   spherocylinder::Vec3 wall_velocity;  // there, of a wall
-  const double *history;               // null without; of both ends of a rod at a wall
+  const double *history;               // null without
   double radius_i, radius_j;
   double distance;  // along the normal, between the points on the axes, or from it to the wall
   double overlap;

@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
+#include "contacts/contact_observer.h"
+
 namespace LAMMPS_NS {
 
 class LAMMPS;
 class SuddenOverlaps;
 
-// What all pair and wall contacts of a simulation share. Attached to the rods.
-struct ContactState {
+// Where fixes and commands find the contacts of all pairs and walls. Attached to the rods.
+class ContactState {
+ public:
   explicit ContactState(LAMMPS *) {}
 
-  // Largest overlap of any contact, walls included, over the (mean) diameter of its rods, since the
-  // run began; this rank's contacts.
-  double largest_overlap = 0.0;
+  // From now on, until it leaves, an observer sees every contact.
+  void join(ContactObserver &observer) { observers_.push_back(&observer); }
+  void leave(ContactObserver &observer)
+  {
+    observers_.erase(std::remove(observers_.begin(), observers_.end(), &observer),
+                     observers_.end());
+  }
+  const ContactObservers &observers() const { return observers_; }
 
-  SuddenOverlaps *sudden_overlaps = nullptr;  // of the pair style, null without one
+  SuddenOverlaps *sudden_overlaps = nullptr;  // the pair style's, set by it; null without one
+
+ private:
+  ContactObservers observers_;
 };
 
 }  // namespace LAMMPS_NS

@@ -4,7 +4,7 @@
 #include "contacts/contact_model_headers.h"
 #include "contacts/granular_pair_spherocylinder.h"
 #include "contacts/granular_wall_spherocylinder.h"
-#include "contacts/stock_law.h"
+#include "contacts/stock_law_of.h"
 #include "fix_wall_gran.h"
 #include "host/rod_error.h"
 #include "pair_gran.h"
@@ -24,14 +24,14 @@ template <typename Model>
 PairStyles::IGranularPairStyle *create_pair(LAMMPS *lmp, PairGran *parent, int64_t hash)
 {
   return new LAMMPS_NS::GranularPairSpherocylinder(
-      lmp, parent, std::make_unique<LAMMPS_NS::StockLaw<Model>>(lmp, parent, false, hash));
+      lmp, parent, std::make_unique<LAMMPS_NS::StockLawOf<Model>>(lmp, parent, false, hash));
 }
 
 template <typename Model>
 Walls::IGranularWall *create_wall(LAMMPS *lmp, FixWallGran *parent, int64_t hash)
 {
   return new LAMMPS_NS::GranularWallSpherocylinder(
-      lmp, parent, std::make_unique<LAMMPS_NS::StockLaw<Model>>(lmp, parent, true, hash));
+      lmp, parent, std::make_unique<LAMMPS_NS::StockLawOf<Model>>(lmp, parent, true, hash));
 }
 
 // Combinations compiled as one piece: what decks with rods use most.

@@ -5,15 +5,13 @@
 
 #include "atom.h"
 #include "contacts/rod_pair_geometry.h"
-#include "core/rotation.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "rods/rod_driver.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
 namespace {
-
-constexpr Vec3 kZero = {0.0, 0.0, 0.0};
 
 void set_place(ContactBatch &batch, int k, const RodPairGeometry &place, const Vec3 &axis_i,
                const Vec3 &axis_j)
@@ -31,10 +29,7 @@ void set_place(ContactBatch &batch, int k, const RodPairGeometry &place, const V
 
 void PairGatherer::read_rod(int i)
 {
-  const double *shape = atom->shape[i];
-  rods_[i] = {
-      {load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])), shape[2] - shape[0]},
-      shape[0]};
+  rods_[i] = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(i);
   motions_[i].velocity = load(atom->v[i]);
   motions_[i].omega = load(atom->omega[i]);
 }
@@ -53,7 +48,6 @@ void PairGatherer::read_masses(int frozen_groups, bool effective_mass)
 {
   const int nall = atom->nlocal + atom->nghost;
   const int driven = groups_with_driven_centres(lmp);
-  kinds_are_new_ = true;
   kinds_.clear();
   for (int i = 0; i < nall; i++) {
     const bool frozen = atom->mask[i] & frozen_groups;
@@ -94,8 +88,6 @@ void PairGatherer::set_kinds(ContactBatch &batch, int k) const
 void PairGatherer::fill(ContactBatch &batch, const std::vector<TouchingRodPairs::Touch> &touching,
                         size_t first, const PairHistories &histories, bool spread)
 {
-  if (kinds_are_new_) std::fill_n(batch.kind, kBatch, RodKinds::kNone);
-  kinds_are_new_ = false;
   ContactArms &arms = batch.arms;
   batch.count = static_cast<int>(std::min<size_t>(kBatch, touching.size() - first));
   batch.spread_count = 0;
@@ -123,7 +115,7 @@ void PairGatherer::fill(ContactBatch &batch, const std::vector<TouchingRodPairs:
       arms.side.set(k, side ? load(side) : kZero);
     }
     set_motion(arms, k, i, j);
-    const int kind = kinds_.of_pair(i, j);
+    const int64_t kind = kinds_.of_pair(i, j);
     const bool is_known = kind != RodKinds::kNone && kind == batch.kind[k];
     batch.kind[k] = kind;
     if (!is_known) set_kinds(batch, k);

@@ -53,7 +53,6 @@ class PairGatherer : protected Pointers {
   std::vector<spherocylinder::Capsule> rods_;
   std::vector<RodMotion> motions_;
   RodKinds kinds_;
-  bool kinds_are_new_ = true;
 
   void read_rod(int i);
   void set_motion(spherocylinder::ContactArms &arms, int k, int i, int j) const;

@@ -13,12 +13,6 @@
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
-namespace {
-
-constexpr Vec3 kZero = {0.0, 0.0, 0.0};
-
-}  // namespace
-
 double LAMMPS_NS::coupling_of_ends(const RodEnds &ends, double radius,
                                    const InverseInertia &inverse)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <array>
+
 #include "contacts/contact_batch.h"
 #include "core/contact_kinematics.h"
 #include "pointers.h"
@@ -23,6 +25,8 @@ class FixWallGran;
 double coupling_of_ends(const RodEnds &ends, double radius,
                         const spherocylinder::InverseInertia &inverse);
 
+using EndHistories = std::array<double *, 2>;
+
 // From a rod at a wall to contacts of its ends. A wall is body j: at rest but for its surface, and of
 // infinite mass; a spring at it does not turn about the normal.
 class WallGatherer : protected Pointers {
@@ -33,10 +37,11 @@ class WallGatherer : protected Pointers {
   // all that a law makes of a rod's material follows from its type.
   void begin(const FixWallGran &fix, bool effective_mass, bool types_are_kinds);
 
-  // Adds the ends of rod i that touch to the batch, which must have room for two. `history`: of both
-  // ends, null without. Ends that do not touch are named to `part(end)`.
-  template <typename Part>
-  void add(ContactBatch &batch, const MovingWall &wall, int i, double *history, Part part)
+  // Adds the ends of rod i that touch to the batch, which must have room for two. `histories`: of the
+  // two ends, null without. `not_touching(end)` is called for the others.
+  template <typename NotTouching>
+  void add(ContactBatch &batch, const MovingWall &wall, int i, const EndHistories &histories,
+           NotTouching not_touching)
   {
     const spherocylinder::Capsule rod = capsule(i);
     if (wall.surface.is_outside(rod.segment.centre)) {
@@ -48,9 +53,9 @@ class WallGatherer : protected Pointers {
     const Inertia inertia = any ? inertia_of(ends, rod.radius, i) : Inertia{};
     for (int end = 0; end < ends.count; end++) {
       if (any && ends.contacts[end].distance <= rod.radius)
-        add_end(batch, wall, i, end, rod, ends, inertia, history);
+        add_end(batch, wall, i, end, rod, ends, inertia, histories[end]);
       else
-        part(end);
+        not_touching(end);
     }
   }
 

@@ -7,15 +7,16 @@
 #include "atom.h"
 #include "comm.h"
 #include "compute_pair_gran_local.h"
+#include "contacts/contact_monitor.h"
 #include "contacts/contact_rows.h"
 #include "contacts/contact_state.h"
 #include "contacts/material_checks.h"
 #include "contacts/observers.h"
 #include "contacts/rod_pair_geometry.h"
+#include "contacts/scatter.h"
 #include "core/five_step_search.h"
 #include "error.h"
 #include "force.h"
-#include "host/private_members.h"
 #include "host/rod_error.h"
 #include "lists/lists_in_use.h"
 #include "neigh_list.h"
@@ -27,16 +28,13 @@ using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
 GranularPairSpherocylinder::GranularPairSpherocylinder(LAMMPS *lmp, PairGran *parent,
-                                                       std::unique_ptr<StockModels> models)
+                                                       std::unique_ptr<StockLaw> models)
     : Pointers(lmp),
       parent_(parent),
-      models_(std::move(models)),
-      vector_law_(lmp),
-      law_(models_.get()),
+      laws_(lmp, std::move(models)),
       close_pairs_(lmp),
       false_histories_(lmp),
       gatherer_(lmp),
-      monitor_(lmp),
       sudden_overlaps_(lmp)
 {
 }
@@ -51,22 +49,20 @@ GranularPairSpherocylinder::~GranularPairSpherocylinder()
   if (state.sudden_overlaps == &sudden_overlaps_) state.sudden_overlaps = nullptr;
 }
 
-void GranularPairSpherocylinder::settings(int nargs, char **args,
-                                          LIGGGHTS::IContactHistorySetup *history)
+void GranularPairSpherocylinder::settings(int nargs, char **args, LIGGGHTS::IContactHistorySetup *)
 {
-  const std::vector<char *> others = keywords_.take_from(lmp, nargs, args);
-  const std::string wrong = models_->read_keywords(keywords_, others, history);
+  const std::string wrong = laws_.read_keywords(nargs, args);
   if (!wrong.empty()) error->all(FLERR, wrong.c_str());
-  sudden_overlaps_.allow(keywords_.sudden_overlap);
+  sudden_overlaps_.allow(laws_.keywords().sudden_overlap);
   use_search();
   has_settings_ = true;
 }
 
 void GranularPairSpherocylinder::use_search()
 {
-  if (!keywords_.five_step)
+  if (!laws_.keywords().five_step)
     touching_pairs_.search_by(closest_points);
-  else if (keywords_.spread_contact)  // which goes by the closest points
+  else if (laws_.keywords().spread_contact)  // which goes by the closest points
     touching_pairs_.search_by(closest_points_in_five_steps);
   else
     touching_pairs_.search_by(five_step_points);
@@ -83,20 +79,12 @@ void GranularPairSpherocylinder::init_granular()
   if (parent_->storeContactForces() || parent_->storeContactForcesStress())
     rod_error_all(lmp, "Pair gran with surface spherocylinder stores no contact forces, as fix "
                        "continuum/weighted wants them (expected compute pair/gran/local)");
-  const int springs[] = {history_value(*parent_, "shearx"), -1};
-  models_->connect(force->registry, keywords_, springs);
+  laws_.connect();
   highest_type_ = force->registry.max_type();
-  side_ = models_->history_offset("rod_normal");
-  if (models_->has_tangential()) check_friction(lmp);
-  law_ = models_.get();
-  const std::optional<Tangential> tangential = models_->in_batches();
-  if (tangential && keywords_.are_all_of_rods) {
-    vector_law_.connect(force->registry, *tangential, keywords_.linear, springs);
-    law_ = &vector_law_;
-  }
-
-  monitor_.reset(rods);
-  close_pairs_.reset(*parent_, keywords_.close_skin);
+  side_ = laws_.models().layout().offset_of("rod_normal_x");
+  monitor_ = &rods.attached<ContactMonitor>();
+  state_ = &rods.attached<ContactState>();
+  close_pairs_.reset(*parent_, laws_.keywords().close_skin);
   auto &lists = rods.attached<ListsInUse>();
   lists.counts = &close_pairs_.counts();
   lists.touching_pairs = &touching_pairs_;
@@ -105,7 +93,7 @@ void GranularPairSpherocylinder::init_granular()
 
 void GranularPairSpherocylinder::write_restart_settings(FILE *file)
 {
-  const int64_t hash = models_->hashcode();
+  const int64_t hash = laws_.models().hashcode();
   fwrite(&hash, sizeof(int64_t), 1, file);
 }
 
@@ -114,9 +102,9 @@ void GranularPairSpherocylinder::read_restart_settings(FILE *file, int64_t hash)
   int64_t stored = -1;
   if (comm->me == 0 && fread(&stored, sizeof(int64_t), 1, file) != 1)
     error->one(FLERR, "Pair gran: restart file ends within the pair style");
-  if (comm->me == 0 && (hash != -1 ? hash : stored) != models_->hashcode())
+  if (comm->me == 0 && (hash != -1 ? hash : stored) != laws_.models().hashcode())
     error->one(FLERR, "Pair gran: restart file was written with other contact models");
-  models_->set_up_history(parent_);  // as long as the stored one, until init_granular
+  laws_.models().set_up_history();  // as long as the stored one, until init_granular
 }
 
 void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool migrated)
@@ -128,7 +116,7 @@ void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool mig
   close_pairs_.update(pair, gatherer_.rods(), migrated, [this](bool all) {
     gatherer_.read_rods(all, close_pairs_.tracked_ghosts());
   });
-  if (migrated) gatherer_.read_masses(pair.freeze_group_bit(), keywords_.effective_mass);
+  if (migrated) gatherer_.read_masses(pair.freeze_group_bit(), laws_.keywords().effective_mass);
 
   int **flags = pair.listgranhistory ? pair.listgranhistory->firstneigh : nullptr;
   double **values = pair.listgranhistory ? pair.listgranhistory->firstdouble : nullptr;
@@ -151,20 +139,22 @@ void GranularPairSpherocylinder::compute_force(PairGran *pair, int eflag, int vf
   const NeighList *list = pair->listgranhistory;
   const PairHistories histories = {list ? list->firstneigh : nullptr,
                                    list ? list->firstdouble : nullptr, pair->dnum(), side_};
-  law_->begin({update->dt, pair->computeflag() != 0, pair->computeflag() && pair->shearupdate()});
-  part(histories);
+  ContactLaw &law = laws_.chosen();
+  law.begin({update->dt, pair->computeflag() != 0, pair->computeflag() && pair->shearupdate()});
+  end_contacts(histories);
   work_out(*pair, histories);
-  law_->end();
+  law.end();
   sudden_overlaps_.end_step(migrated);
 }
 
 // Pairs that no longer touch forget their contact.
-void GranularPairSpherocylinder::part(const PairHistories &histories)
+void GranularPairSpherocylinder::end_contacts(const PairHistories &histories)
 {
+  ContactLaw &law = laws_.chosen();
   for (const CloseRodPairs::Entry &entry : touching_pairs_.parted()) {
     double *values = histories.values_of(entry.i, entry.index);
-    law_->part(entry.i, entry.j, 0, histories.flags_of(entry.i, entry.index), values);
-    if (histories.remember_sides()) store(Vec3{0.0, 0.0, 0.0}, values + side_);
+    law.contact_ended(entry.i, entry.j, histories.flags_of(entry.i, entry.index), values);
+    if (histories.remember_sides()) store(kZero, values + side_);
   }
 }
 
@@ -172,39 +162,41 @@ void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &h
 {
   PairVirial virial(lmp, pair);
   NormalForceSums<PairGran> sums(lmp, pair);
-  std::optional<RateCollector> rates;
   std::optional<RowWriter> rows;
-  ContactObservers observers;
+  ContactObservers observers = state_->observers();
   if (pair.evflag) observers.push_back(&virial);
   if (pair.computeflag() && pair.store_sum_normal_force()) observers.push_back(&sums);
-  if (ContactRates *wanted = monitor_.rates())
-    observers.push_back(&rates.emplace(lmp, *wanted, pair.freeze_group_bit()));
   if (ContactRows *wanted = ContactRows::collecting(pair.cpl(), update->ntimestep)) {
     wanted->begin_rows();
     observers.push_back(&rows.emplace(lmp, *wanted));
   }
 
+  ContactLaw &law = laws_.chosen();
+  const bool springs_go_on = pair.computeflag() && pair.shearupdate();
   const std::vector<TouchingRodPairs::Touch> &touching = touching_pairs_.touching();
   for (size_t first = 0; first < touching.size(); first += kBatch) {
-    gatherer_.fill(batch_, touching, first, histories, keywords_.spread_contact);
-    law_->evaluate(batch_);
+    gatherer_.fill(batch_, touching, first, histories, laws_.keywords().spread_contact);
+    law.evaluate(batch_);
     add_spread(batch_);
-    look_at_batch(pair.computeflag() && pair.shearupdate() && histories.remember_sides());
+    look_for_sudden_overlaps();
+    if (springs_go_on && histories.remember_sides()) keep_sides();
     if (pair.computeflag()) scatter_pairs(batch_, pair, *atom);
+    monitor_->see(batch_);
     show(batch_, observers);
   }
 }
 
-void GranularPairSpherocylinder::look_at_batch(bool keep_sides)
+void GranularPairSpherocylinder::look_for_sudden_overlaps()
 {
-  for (int k = 0; k < batch_.count; k++) {
-    const int i = batch_.i[k], j = batch_.j[k];
-    const double reach = batch_.reach(k), overlap = batch_.arms.overlap[k], depth = overlap / reach;
-    const bool can_move = batch_.can_move(k);
-    sudden_overlaps_.look(i, j, depth, can_move);
-    if (!can_move) continue;
-    monitor_.look(i, j, batch_.loads.stiffness[k], batch_.loads.effective_mass[k], overlap, reach);
-    if (keep_sides)
-      store(remembered_side(batch_.arms.normal.get(k), depth), batch_.history[k] + side_);
-  }
+  for (int k = 0; k < batch_.count; k++)
+    sudden_overlaps_.look(batch_.i[k], batch_.j[k], batch_.arms.overlap[k] / batch_.reach(k),
+                          batch_.can_move(k));
+}
+
+void GranularPairSpherocylinder::keep_sides()
+{
+  for (int k = 0; k < batch_.count; k++)
+    if (batch_.can_move(k))
+      store(remembered_side(batch_.arms.normal.get(k), batch_.arms.overlap[k] / batch_.reach(k)),
+            batch_.history[k] + side_);
 }

@@ -5,26 +5,25 @@
 #include <string>
 
 #include "contacts/contact_batch.h"
-#include "contacts/contact_monitor.h"
+#include "contacts/contact_laws.h"
 #include "contacts/false_histories.h"
 #include "contacts/gather_pairs.h"
-#include "contacts/rod_keywords.h"
-#include "contacts/scatter.h"
-#include "contacts/stock_models.h"
 #include "contacts/sudden_overlaps.h"
-#include "contacts/vector_law.h"
 #include "granular_pair_style.h"
 #include "lists/close_rod_pairs.h"
 #include "lists/touching_rod_pairs.h"
 
 namespace LAMMPS_NS {
 
+class ContactMonitor;
+class ContactState;
+
 // What the stock pair_style gran runs for rods: from the lists to touching pairs, batches of contacts,
 // their law, and forces.
 class GranularPairSpherocylinder : private Pointers,
                                    public LIGGGHTS::PairStyles::IGranularPairStyle {
  public:
-  GranularPairSpherocylinder(LAMMPS *lmp, PairGran *parent, std::unique_ptr<StockModels> models);
+  GranularPairSpherocylinder(LAMMPS *lmp, PairGran *parent, std::unique_ptr<StockLaw> models);
   ~GranularPairSpherocylinder() override;
 
   void settings(int nargs, char **args, LIGGGHTS::IContactHistorySetup *history) override;
@@ -33,20 +32,20 @@ class GranularPairSpherocylinder : private Pointers,
   void read_restart_settings(FILE *file, int64_t hash) override;
   void compute_force(PairGran *pair, int eflag, int vflag, int addflag) override;
 
-  int64_t hashcode() override { return models_->hashcode(); }
+  int64_t hashcode() override { return laws_.models().hashcode(); }
   bool contact_match(const std::string type, const std::string model) override
   {
-    return models_->is(type, model);
+    return laws_.models().is(type, model);
   }
-  int get_history_offset(const std::string name) override { return models_->history_offset(name); }
-  double stressStrainExponent() override { return models_->stress_strain_exponent(); }
+  int get_history_offset(const std::string name) override
+  {
+    return laws_.models().history_offset(name);
+  }
+  double stressStrainExponent() override { return laws_.models().stress_strain_exponent(); }
 
  private:
   PairGran *parent_;
-  std::unique_ptr<StockModels> models_;
-  VectorLaw vector_law_;
-  ContactLaw *law_;  // vector_law_ where it serves, else models_
-  RodKeywords keywords_;
+  ContactLaws laws_;
   bool has_settings_ = false;  // false for a pair style made by read_restart
   int highest_type_ = 0;       // that material properties are there for
   int side_ = -1;              // where histories keep the remembered normal, -1 if they do not
@@ -56,14 +55,16 @@ class GranularPairSpherocylinder : private Pointers,
   FalseHistories false_histories_;
   PairGatherer gatherer_;
   ContactBatch batch_;
-  ContactMonitor monitor_;
+  ContactMonitor *monitor_ = nullptr;  // these two: attached to the rods
+  const ContactState *state_ = nullptr;
   SuddenOverlaps sudden_overlaps_;
 
   void use_search();
   void bring_pairs_up_to_date(PairGran &pair, bool migrated);
-  void part(const PairHistories &histories);
+  void end_contacts(const PairHistories &histories);
   void work_out(PairGran &pair, const PairHistories &histories);
-  void look_at_batch(bool keep_sides);
+  void look_for_sudden_overlaps();
+  void keep_sides();
 };
 
 }  // namespace LAMMPS_NS

@@ -6,22 +6,22 @@
 #include <vector>
 
 #include "contacts/contact_batch.h"
-#include "contacts/contact_monitor.h"
+#include "contacts/contact_laws.h"
+#include "contacts/contact_observer.h"
 #include "contacts/gather_walls.h"
-#include "contacts/rod_keywords.h"
-#include "contacts/scatter.h"
-#include "contacts/stock_models.h"
-#include "contacts/vector_law.h"
 #include "walls/rod_wall.h"
 
 namespace LAMMPS_NS {
+
+class ContactMonitor;
+class ContactState;
 
 // What the stock fix wall/gran runs for rods: contacts of the two ends of a rod with a plane or the
 // inside of a cylinder. Between its ends a straight rod cannot be nearer to either, so the two end
 // spheres are the whole contact; each has its own history.
 class GranularWallSpherocylinder : private Pointers, public RodWall {
  public:
-  GranularWallSpherocylinder(LAMMPS *lmp, FixWallGran *parent, std::unique_ptr<StockModels> models);
+  GranularWallSpherocylinder(LAMMPS *lmp, FixWallGran *parent, std::unique_ptr<StockLaw> models);
 
   void settings(int nargs, char **args, LIGGGHTS::IContactHistorySetup *history) override;
   void init_granular() override;
@@ -29,15 +29,15 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
   {
     return true;
   }
-  int get_history_offset(std::string name) override { return models_->history_offset(name); }
+  int get_history_offset(std::string name) override { return laws_.models().history_offset(name); }
   bool contact_match(const std::string type, const std::string model) override
   {
-    return models_->is(type, model);
+    return laws_.models().is(type, model);
   }
 
   void compute_forces(FixWallGran &fix, const MovingWall &wall, const std::vector<int> &rods,
                       double **history) override;
-  void part(int i, double *history) override;
+  void contacts_ended(int i, double *history) override;
 
   // For the loop of LIGGGHTS's own fix, which the rods' fix does not run.
   void compute_force(FixWallGran *, LIGGGHTS::ContactModels::SurfacesIntersectData &, bool,
@@ -45,14 +45,14 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
 
  private:
   FixWallGran *parent_;
-  std::unique_ptr<StockModels> models_;
-  VectorLaw vector_law_;
-  ContactLaw *law_;  // vector_law_ where it serves, else models_
-  RodKeywords keywords_;
+  ContactLaws laws_;
   WallGatherer gatherer_;
   ContactBatch batch_;
-  ContactMonitor monitor_;
+  ContactMonitor *monitor_ = nullptr;  // these two: attached to the rods
+  const ContactState *state_ = nullptr;
 
+  // Of a rod's row of history: end 0 first.
+  EndHistories of_ends(double *row);
   void finish_batch(bool adds_forces, const ContactObservers &observers);
 };
 

@@ -6,6 +6,7 @@ NORMAL_MODEL(NORMAL_LINEAR, linear, 20)
 #define NORMAL_MODEL_LINEAR_H_
 
 #include "contact_models.h"
+#include "contacts/aspect_scale.h"
 #include "contacts/linear_keywords.h"
 #include "core/linear_law.h"
 #include "normal_model_base.h"
@@ -28,7 +29,7 @@ class NormalModel<NORMAL_LINEAR> : public NormalModelBase {
   {
   }
 
-  void registerSettings(Settings &settings) { keywords_.register_settings(settings); }
+  void registerSettings(Settings &settings) { LAMMPS_NS::register_on_off(settings, keywords_); }
 
   void postSettings(IContactHistorySetup *, ContactModelBase *) {}
 
@@ -51,7 +52,9 @@ class NormalModel<NORMAL_LINEAR> : public NormalModelBase {
   {
     if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_NORMAL_MODEL;
 
-    const double scale = keywords_.aspect_scaling ? stiffness_scale(sidata) : 1.0;
+    const int j = sidata.is_wall ? -1 : sidata.j;
+    const double scale =
+        keywords_.aspect_scaling ? LAMMPS_NS::aspect_scale(*atom, sidata.i, j) : 1.0;
     const double kn = scale * kn_[sidata.itype][sidata.jtype];
     const double kt = scale * kt_[sidata.itype][sidata.jtype];
     const double two_beta = -2.0 * beta_[sidata.itype][sidata.jtype];
@@ -85,17 +88,7 @@ class NormalModel<NORMAL_LINEAR> : public NormalModelBase {
   double **kn_ = nullptr;
   double **kt_ = nullptr;
   double **beta_ = nullptr;
-  LAMMPS_NS::LinearKeywords keywords_;
-
-  double aspect_ratio(int i) const { return atom->shape[i][2] / atom->shape[i][0]; }
-
-  double stiffness_scale(const SurfacesIntersectData &sidata) const
-  {
-    const double lambda_i = aspect_ratio(sidata.i);
-    if (sidata.is_wall) return lambda_i;
-    const double lambda_j = aspect_ratio(sidata.j);
-    return spherocylinder::aspect_ratio_in_series(lambda_i, lambda_j);
-  }
+  LAMMPS_NS::LinearKeywords keywords_{};
 
   void check_properties(int max_type)
   {

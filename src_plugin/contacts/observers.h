@@ -7,7 +7,6 @@
 
 namespace LAMMPS_NS {
 
-struct ContactRates;
 class ContactRows;
 class FixWallGran;
 class PairGran;
@@ -33,23 +32,6 @@ class NormalForceSums : public ContactObserver, private Pointers {
   Host &host_;
 };
 
-// For fix check/timestep/spherocylinder. Rods of `frozen_groups` do not give way.
-class RateCollector : public ContactObserver, private Pointers {
- public:
-  RateCollector(LAMMPS *lmp, ContactRates &rates, int frozen_groups)
-      : Pointers(lmp), rates_(rates), frozen_groups_(frozen_groups)
-  {
-  }
-  void see(const ContactBatch &batch) override;
-
- private:
-  ContactRates &rates_;
-  int frozen_groups_;
-
-  void add(int i, double factor, const ContactBatch &batch, int k, const spherocylinder::Vec3 &arm,
-           double depth, const spherocylinder::Vec3 &normal);
-};
-
 // Rows of compute pair/gran/local, and of wall/gran/local where `wall` is given.
 class RowWriter : public ContactObserver, private Pointers {
  public:
@@ -62,27 +44,6 @@ class RowWriter : public ContactObserver, private Pointers {
  private:
   ContactRows &rows_;
   const FixWallGran *wall_;
-};
-
-// What LIGGGHTS's fix wall/gran keeps of each rod's whole load at the wall: keywords store_force,
-// store_force_contact and ..._stress. Both ends of a rod must be in one batch.
-class WallLoads : public ContactObserver, private Pointers {
- public:
-  WallLoads(LAMMPS *lmp, FixWallGran &fix) : Pointers(lmp), fix_(fix) {}
-  void see(const ContactBatch &batch) override;
-
- private:
-  FixWallGran &fix_;
-};
-
-// Heat through a wall's contacts.
-class WallHeat : public ContactObserver {
- public:
-  explicit WallHeat(FixWallGran &fix) : fix_(fix) {}
-  void see(const ContactBatch &batch) override;
-
- private:
-  FixWallGran &fix_;
 };
 
 }  // namespace LAMMPS_NS

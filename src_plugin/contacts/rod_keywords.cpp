@@ -48,21 +48,13 @@ std::vector<char *> RodKeywords::take_from(LAMMPS *lmp, int nargs, char **args)
         "last word, %s, has none)",
         others.back());
   for (size_t k = 0; k < others.size(); k += 2)
-    if (!has(others[k]) && !LinearKeywords::has(others[k])) are_all_of_rods = false;
+    if (!is_on_off<RodKeywords>(others[k]) && !is_on_off<LinearKeywords>(others[k]))
+      are_all_of_rods = false;
   return others;
 }
 
 void RodKeywords::register_settings(Settings &settings, bool is_linear)
 {
-  settings.registerOnOff("spread_contact", spread_contact, true);
-  settings.registerOnOff("effective_mass", effective_mass, true);
-  settings.registerOnOff("sudden_overlap", sudden_overlap, false);
-  if (is_linear) linear.register_settings(settings);
-}
-
-bool RodKeywords::has(const char *keyword)
-{
-  for (const char *own : {"spread_contact", "effective_mass", "sudden_overlap"})
-    if (strcmp(keyword, own) == 0) return true;
-  return false;
+  register_on_off(settings, *this);
+  if (is_linear) register_on_off(settings, linear);
 }

@@ -18,16 +18,21 @@ class RodKeywords {
   bool sudden_overlap = false;  // allowed
   double close_skin = 0.0;      // of the close pairs (m), 0: chosen automatically
   bool five_step = false;       // search five_step
-  LinearKeywords linear;        // of model linear
+  LinearKeywords linear{};      // of model linear
   bool are_all_of_rods = true;  // none of another model was given
+
+  static const OnOffKeyword<RodKeywords> kOnOff[3];
 
   // Takes those whose value is no on or off, and returns the words that are left for LIGGGHTS's reader.
   std::vector<char *> take_from(LAMMPS *lmp, int nargs, char **args);
   // The others, for that reader.
   void register_settings(Settings &settings, bool is_linear);
+};
 
- private:
-  static bool has(const char *keyword);
+inline constexpr OnOffKeyword<RodKeywords> RodKeywords::kOnOff[3] = {
+    {"spread_contact", &RodKeywords::spread_contact, true},
+    {"effective_mass", &RodKeywords::effective_mass, true},
+    {"sudden_overlap", &RodKeywords::sudden_overlap, false},
 };
 
 }  // namespace LAMMPS_NS

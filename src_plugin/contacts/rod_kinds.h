@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/capsule.h"
@@ -9,14 +10,16 @@
 namespace LAMMPS_NS {
 
 // Rods that are alike in all that does not move: most decks have a few kinds. What a batch of contacts
-// holds of two rods' kinds then need not be written again for the next two of the same.
+// holds of two rods' kinds then need not be written again for the next two of the same. A number never
+// comes again for other kinds.
 class RodKinds {
  public:
   static constexpr int kMost = 16;
-  static constexpr int kNone = -1;  // one of too many kinds
+  static constexpr int64_t kNone = -1;  // one of too many kinds
 
   void clear()
   {
+    generation_++;
     known_.clear();
     of_rods_.clear();
   }
@@ -26,24 +29,25 @@ class RodKinds {
   {
     const Kind kind = {type,         rod.radius,         rod.segment.half_length,
                        inverse.mass, inverse.transverse, inverse.is_driven};
-    int k = of_rods_.empty() ? kNone : of_rods_.back();  // often that of the rod before
-    if (k == kNone || !(known_[k] == kind))
+    int k = of_rods_.empty() ? kUnknown : of_rods_.back();  // often that of the rod before
+    if (k == kUnknown || !(known_[k] == kind))
       for (k = 0; k < static_cast<int>(known_.size()) && !(known_[k] == kind);) k++;
     if (k == kMost)
-      k = kNone;
+      k = kUnknown;
     else if (k == static_cast<int>(known_.size()))
       known_.push_back(kind);
     of_rods_.push_back(k);
   }
 
   // Of two rods, one number; kNone if one of them has no kind.
-  int of_pair(int i, int j) const
+  int64_t of_pair(int i, int j) const
   {
     const int a = of_rods_[i], b = of_rods_[j];
-    return a == kNone || b == kNone ? kNone : kMost * a + b;
+    return a == kUnknown || b == kUnknown ? kNone : (generation_ * kMost + a) * kMost + b;
   }
 
  private:
+  static constexpr int kUnknown = -1;
   struct Kind {
     int type;
     double radius, half_length, inverse_mass, inverse_transverse;
@@ -56,6 +60,7 @@ class RodKinds {
              is_driven == other.is_driven;
     }
   };
+  int64_t generation_ = 0;
   std::vector<Kind> known_;
   std::vector<int> of_rods_;
 };

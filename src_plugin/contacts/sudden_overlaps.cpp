@@ -39,7 +39,7 @@ void SuddenOverlaps::end_step(bool migrated)
   if (!is_first_) {
     bool sorted = false;
     for (const Deep &deep : now_) {
-      if (deep.overlap <= kSuddenOverlap || !deep.movable) continue;
+      if (deep.overlap <= kSudden || !deep.movable) continue;
       if (!sorted) std::sort(before_.begin(), before_.end());
       sorted = true;
       if (!std::binary_search(before_.begin(), before_.end(), deep)) end_run(deep);
@@ -61,5 +61,5 @@ void SuddenOverlaps::end_run(const Deep &found) const
       "at step " BIGINT_FORMAT " and hardly touched in the step before, so that some command "
       "or fix has put one of them there (by their velocities they come %g diameters nearer "
       "in a step); wanted at most %g at once, or sudden_overlap on in pair_style",
-      found.id, found.other_id, found.overlap, update->ntimestep, way, kSuddenOverlap);
+      found.id, found.other_id, found.overlap, update->ntimestep, way, kSudden);
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "contacts/contact_monitor.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -13,6 +12,11 @@ namespace LAMMPS_NS {
 // there. Knows the deep overlaps of the step before by the rods' ids, on whatever rank they were.
 class SuddenOverlaps : protected Pointers {
  public:
+  // An overlap of this share of the diameter that was not there in the step before is no impact: the
+  // rod was placed so. An impact that goes up to 0.5, which ContactMonitor warns of, with the longest
+  // step that is not warned about, 0.2 of the stability limit 2/omega, begins with at most
+  // v dt = (0.5 omega)(0.4/omega) = 0.2.
+  static constexpr double kSudden = 0.25;
   static constexpr double kWatched = 0.05;  // overlaps below are not looked up again
 
   explicit SuddenOverlaps(LAMMPS *lmp) : Pointers(lmp) {}

@@ -7,14 +7,14 @@ SURFACE_MODEL(SURFACE_SPHEROCYLINDER, spherocylinder, 20)
 
 #include "atom.h"
 #include "contact_models.h"
-#include "pair_gran.h"
+#include "contacts/history_layout.h"
 #include "surface_model_base.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
 
 // A rod in contact is a sphere of the rod's radius whose centre sits on the rod's axis, at the
-// point nearest to the partner. The pair and wall styles for rods find that point and fill sidata:
+// point nearest to the partner. The law that calls this model (StockLawOf) fills sidata:
 //   v_i, v_j   velocity of the points on the axes (not of the rods' centres)
 //   en         unit normal, towards rod i
 //   r          distance of the points along en (negative once the axes have passed each other)
@@ -36,8 +36,8 @@ class SurfaceModel<SURFACE_SPHEROCYLINDER> : public SurfaceModelBase {
   // history anyway, so that rods whose axes are driven past each other are pushed back.
   void postSettings(IContactHistorySetup *hsetup, ContactModelBase *cmb)
   {
-    auto *pair = dynamic_cast<LAMMPS_NS::PairGran *>(hsetup);
-    if (!pair || !pair->is_history()) return;
+    auto *layout = dynamic_cast<LAMMPS_NS::HistoryLayout *>(hsetup);
+    if (cmb->is_wall() || !layout || layout->values() == 0) return;
     const int offset = hsetup->add_history_value("rod_normal_x", "1");
     hsetup->add_history_value("rod_normal_y", "1");
     hsetup->add_history_value("rod_normal_z", "1");

@@ -2,42 +2,46 @@
 #include "contacts/vector_law.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "atom.h"
+#include "contacts/aspect_scale.h"
 #include "contacts/contact_model_headers.h"
 #include "contacts/rod_kinds.h"
+#include "force.h"
 #include "property_registry.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
-namespace {
-
-constexpr Vec3 kZero = {0.0, 0.0, 0.0};
-
-double aspect_ratio(const Atom &atom, int i) { return atom.shape[i][2] / atom.shape[i][0]; }
-
-}  // namespace
-
-VectorLaw::VectorLaw(LAMMPS *lmp) : Pointers(lmp) { std::fill_n(kinds_, kBatch, RodKinds::kNone); }
-
-void VectorLaw::connect(PropertyRegistry &registry, Tangential tangential,
-                        const LinearKeywords &keywords, const int (&springs)[2])
+VectorLaw::VectorLaw(LAMMPS *lmp, Tangential tangential, const LinearKeywords &keywords, int spring)
+    : Pointers(lmp), aspect_scaling_(keywords.aspect_scaling), spring_(spring)
 {
+  PropertyRegistry &registry = force->registry;
   registry.connect("k_n", kn_, "model linear");
   registry.connect("k_t", kt_, "model linear");
   registry.connect("betaeff", beta_, "model linear");
-  friction_ = nullptr;
   if (tangential != Tangential::Off) registry.connect("coeffFrict", friction_, "model linear");
   types_ = registry.max_type();
-  seen_.clear();
-  law_.tangential = tangential;
-  law_.tangential_damping = keywords.tangential_damping;
-  law_.limit_force = keywords.limit_force;
-  law_.slider =
+  options_.tangential = tangential;
+  options_.tangential_damping = keywords.tangential_damping;
+  options_.limit_force = keywords.limit_force;
+  options_.slider =
       keywords.limit_tangential_damping ? SliderLimits::WholeForce : SliderLimits::SpringAlone;
-  aspect_scaling_ = keywords.aspect_scaling;
-  std::copy_n(springs, 2, springs_);
+  std::fill_n(kinds_, kBatch, RodKinds::kNone);
+}
+
+std::unique_ptr<VectorLaw> LAMMPS_NS::vector_law(LAMMPS *lmp, StockLaw &models,
+                                                 const RodKeywords &keywords)
+{
+  if (!models.is("normal", "linear") || !models.is("cohesion", "off") ||
+      !models.is("rolling_friction", "off") || !keywords.are_all_of_rods)
+    return nullptr;
+  for (const auto &[name, tangential] :
+       {std::pair("off", Tangential::Off), std::pair("no_history", Tangential::NoHistory),
+        std::pair("history", Tangential::History)})
+    if (models.is("tangential", name))
+      return std::make_unique<VectorLaw>(lmp, tangential, keywords.linear, models.spring());
+  return nullptr;
 }
 
 // Some fix may change a property during a run.
@@ -60,19 +64,15 @@ bool VectorLaw::properties_have_changed()
 
 void VectorLaw::begin(const LawStep &step)
 {
-  law_.dt = step.dt;
-  law_.spring_dt = step.springs_go_on ? step.dt : 0.0;
+  options_.dt = step.dt;
+  options_.spring_dt = step.springs_go_on ? step.dt : 0.0;
   if (properties_have_changed()) std::fill_n(kinds_, kBatch, RodKinds::kNone);
 }
 
 void VectorLaw::set_materials(const ContactBatch &batch, int k)
 {
   const int itype = batch.type_i[k], jtype = batch.type_j[k];
-  double scale = 1.0;
-  if (aspect_scaling_) {
-    scale = aspect_ratio(*atom, batch.i[k]);
-    if (!batch.is_wall) scale = aspect_ratio_in_series(scale, aspect_ratio(*atom, batch.j[k]));
-  }
+  const double scale = aspect_scaling_ ? aspect_scale(*atom, batch.i[k], batch.j[k]) : 1.0;
   materials_.stiffness[k] = scale * kn_[itype][jtype];
   materials_.tangential_stiffness[k] = scale * kt_[itype][jtype];
   materials_.two_beta[k] = -2.0 * beta_[itype][jtype];
@@ -84,17 +84,16 @@ void VectorLaw::evaluate(ContactBatch &batch)
 {
   for (int k = 0; k < batch.count; k++)
     if (batch.kind[k] == RodKinds::kNone || batch.kind[k] != kinds_[k]) set_materials(batch, k);
-  const bool has_springs = springs_[0] >= 0;
+  const bool has_springs = spring_ >= 0;
   if (has_springs)
     for (int k = 0; k < batch.count; k++)
-      materials_.spring.set(k, load(batch.history[k] + springs_[batch.end[k]]));
+      materials_.spring.set(k, load(batch.history[k] + spring_));
 
-  linear_contacts(batch.arms, materials_, law_, batch.loads);
+  linear_contacts(batch.arms, materials_, options_, batch.loads);
 
-  if (has_springs && law_.spring_dt > 0.0)
+  if (has_springs && options_.spring_dt > 0.0)
     for (int k = 0; k < batch.count; k++)
-      if (batch.can_move(k))
-        store(materials_.spring.get(k), batch.history[k] + springs_[batch.end[k]]);
+      if (batch.can_move(k)) store(materials_.spring.get(k), batch.history[k] + spring_);
   if (batch.is_wall) return;
   using namespace LIGGGHTS::ContactModels;
   const int flag = CONTACT_NORMAL_MODEL | (has_springs ? CONTACT_TANGENTIAL_MODEL : 0);
@@ -102,8 +101,8 @@ void VectorLaw::evaluate(ContactBatch &batch)
     if (batch.flags[k] && batch.can_move(k)) *batch.flags[k] |= flag;
 }
 
-void VectorLaw::part(int, int, int end, int *flags, double *history)
+void VectorLaw::contact_ended(int, int, int *flags, double *history)
 {
   if (flags) *flags = 0;
-  if (history && springs_[0] >= 0) store(kZero, history + springs_[end]);
+  if (history && spring_ >= 0) store(kZero, history + spring_);
 }

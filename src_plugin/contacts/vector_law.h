@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "contacts/contact_law.h"
-#include "contacts/linear_keywords.h"
+#include "contacts/rod_keywords.h"
+#include "contacts/stock_law.h"
 #include "core/linear_contact.h"
 #include "pointers.h"
-
-class PropertyRegistry;
 
 namespace LAMMPS_NS {
 
@@ -16,24 +17,22 @@ namespace LAMMPS_NS {
 // batches in vector registers (core/linear_contact.h).
 class VectorLaw : public ContactLaw, protected Pointers {
  public:
-  explicit VectorLaw(LAMMPS *lmp);
-
-  // After the models have registered their properties. `springs`: where the histories, which then are
-  // there, keep the tangential spring of end 0 and 1; -1 for none.
-  void connect(PropertyRegistry &registry, spherocylinder::Tangential tangential,
-               const LinearKeywords &keywords, const int (&springs)[2]);
+  // After the models have registered their properties. `spring`: where the histories, which then are
+  // there, keep the tangential spring; -1 for none.
+  VectorLaw(LAMMPS *lmp, spherocylinder::Tangential tangential, const LinearKeywords &keywords,
+            int spring);
 
   void begin(const LawStep &step) override;
   void evaluate(ContactBatch &batch) override;
-  void part(int i, int j, int end, int *flags, double *history) override;
+  void contact_ended(int i, int j, int *flags, double *history) override;
   void end() override {}
 
  private:
-  spherocylinder::LinearLaw law_{};
+  spherocylinder::LinearOptions options_{};
   spherocylinder::LinearMaterials materials_{};
-  bool aspect_scaling_ = false;
-  int springs_[2] = {-1, -1};
-  int kinds_[spherocylinder::kBatch];  // that materials_ are of
+  bool aspect_scaling_;
+  int spring_;
+  int64_t kinds_[spherocylinder::kBatch];  // that materials_ are of
 
   double **kn_ = nullptr, **kt_ = nullptr, **beta_ = nullptr, **friction_ = nullptr;
   // Of the properties: LIGGGHTS holds those up to the highest type in use on any rank.
@@ -43,5 +42,8 @@ class VectorLaw : public ContactLaw, protected Pointers {
   bool properties_have_changed();
   void set_materials(const ContactBatch &batch, int k);
 };
+
+// It, where it does what the models do; else null.
+std::unique_ptr<VectorLaw> vector_law(LAMMPS *lmp, StockLaw &models, const RodKeywords &keywords);
 
 }  // namespace LAMMPS_NS

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/numbers.h"
+
 namespace spherocylinder {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Gauss-Legendre rule of 16 points on [-1, 1], positive half (Abramowitz & Stegun, table 25.4).
 constexpr double kNodes[] = {0.0950125098376374, 0.2816035507792589, 0.4580167776572274,
@@ -40,11 +40,11 @@ struct Cut {
     const double disc = std::sqrt(disc_squared), h = height_at(s);
     // Whole discs first, so that an upright rod (sine 0) needs no division.
     if (h >= disc * sine) return {0.0, 0.0, 0.0};
-    if (h <= -disc * sine) return {kPi * disc_squared, kPi * disc_squared * s, 0.0};
+    if (h <= -disc * sine) return {pi * disc_squared, pi * disc_squared * s, 0.0};
     const double t = -h / sine;
     const double chord_squared = std::max(0.0, disc_squared - t * t);
     const double chord = std::sqrt(chord_squared);  // half of it
-    const double area = disc_squared * (0.5 * kPi + std::asin(t / disc)) + t * chord;
+    const double area = disc_squared * (0.5 * pi + std::asin(t / disc)) + t * chord;
     return {area, area * s, -(2.0 / 3.0) * chord_squared * chord};
   }
 
@@ -91,7 +91,7 @@ ImmersedPart immersed_part(const Capsule &rod, const Vec3 &up, double surface)
   if (cut.height >= reach) return {0.0, {0.0, 0.0, 0.0}};
   const double r = cut.radius;
   if (cut.height <= -reach)
-    return {kPi * r * r * (2.0 * cut.half_cylinder + (4.0 / 3.0) * r), {0.0, 0.0, 0.0}};
+    return {pi * r * r * (2.0 * cut.half_cylinder + (4.0 / 3.0) * r), {0.0, 0.0, 0.0}};
 
   Slice sum{0.0, 0.0, 0.0};
   const std::array<double, 12> places = cut.places();
@@ -102,8 +102,8 @@ ImmersedPart immersed_part(const Capsule &rod, const Vec3 &up, double surface)
     // s = middle + half sin(phi) takes the roots at the ends out of the integrand.
     for (int n = 0; n < 8; n++)
       for (const double side : {-1.0, 1.0}) {
-        const double phi = 0.5 * kPi * side * kNodes[n];
-        const double weight = kWeights[n] * 0.5 * kPi * half * std::cos(phi);
+        const double phi = 0.5 * pi * side * kNodes[n];
+        const double weight = kWeights[n] * 0.5 * pi * half * std::cos(phi);
         const Slice slice = cut.slice(middle + half * std::sin(phi));
         sum.area += weight * slice.area;
         sum.moment_along += weight * slice.moment_along;

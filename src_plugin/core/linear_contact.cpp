@@ -12,7 +12,7 @@ namespace {
 
 template <Tangential tangential, SliderLimits limits, bool tangential_damping, bool limit_force>
 SPHEROCYLINDER_INLINE void all_contacts(ContactArms &APART c, LinearMaterials &APART m,
-                                        ContactLoads &APART out, const LinearLaw &law)
+                                        ContactLoads &APART out, const LinearOptions &law)
 {
   const double dt = law.dt, spring_dt = law.spring_dt;
   for (int k = 0; k < kBatch; k++) {
@@ -61,7 +61,7 @@ SPHEROCYLINDER_INLINE void all_contacts(ContactArms &APART c, LinearMaterials &A
 // Every way a deck can ask for, each a function of its own: nothing is decided per contact.
 template <Tangential tangential, SliderLimits limits>
 SPHEROCYLINDER_INLINE void with_options(ContactArms &APART arms, LinearMaterials &APART materials,
-                                        ContactLoads &APART loads, const LinearLaw &law)
+                                        ContactLoads &APART loads, const LinearOptions &law)
 {
   if (law.tangential_damping) {
     if (law.limit_force)
@@ -79,8 +79,8 @@ SPHEROCYLINDER_INLINE void with_options(ContactArms &APART arms, LinearMaterials
 }  // namespace
 
 SPHEROCYLINDER_VECTOR void linear_contacts(ContactArms &APART arms,
-                                           LinearMaterials &APART materials, const LinearLaw &law,
-                                           ContactLoads &APART loads)
+                                           LinearMaterials &APART materials,
+                                           const LinearOptions &law, ContactLoads &APART loads)
 {
   constexpr SliderLimits kWhole = SliderLimits::WholeForce, kSpring = SliderLimits::SpringAlone;
   switch (law.tangential) {

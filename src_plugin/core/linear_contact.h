@@ -10,7 +10,7 @@ namespace spherocylinder {
 
 enum class Tangential { Off, NoHistory, History };
 
-struct LinearLaw {
+struct LinearOptions {
   Tangential tangential;
   bool tangential_damping;
   bool limit_force;     // the normal force does not pull
@@ -29,7 +29,7 @@ struct LinearMaterials {
 
 // Works out all kBatch contacts; those that were not set are of no meaning. Normal, distance and overlap
 // come out as ContactPlace has them.
-void linear_contacts(ContactArms &arms, LinearMaterials &materials, const LinearLaw &law,
+void linear_contacts(ContactArms &arms, LinearMaterials &materials, const LinearOptions &law,
                      ContactLoads &loads);
 
 }  // namespace spherocylinder

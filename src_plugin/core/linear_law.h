@@ -20,12 +20,6 @@ SPHEROCYLINDER_INLINE double normal_force(double stiffness, double overlap, doub
   return limited && force < 0.0 ? 0.0 : force;
 }
 
-// Of two rods' aspect ratios, the harmonic mean: as of two springs in series.
-SPHEROCYLINDER_INLINE double aspect_ratio_in_series(double i, double j)
-{
-  return 2.0 * i * j / (i + j);
-}
-
 // A tangential spring of a pair that turns about its normal `n` (unit) with the mean of the two
 // spins; `turning` is 1, or 0 for a spring that does not. Cayley's formula, which keeps its length:
 // cos = (1 - h^2)/(1 + h^2), sin = 2 h/(1 + h^2), h half the angle.

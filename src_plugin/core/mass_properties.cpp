@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "core/mass_properties.h"
 
-namespace spherocylinder {
+#include "core/numbers.h"
 
-namespace {
-constexpr double kPi = 3.14159265358979323846;
-}
+namespace spherocylinder {
 
 MassProperties mass_properties(double diameter, double length, double density)
 {
   const double r = 0.5 * diameter;
   const double h = length - diameter;
-  const double cylinder = density * kPi * r * r * h;
-  const double sphere = density * (4.0 / 3.0) * kPi * r * r * r;
+  const double cylinder = density * pi * r * r * h;
+  const double sphere = density * (4.0 / 3.0) * pi * r * r * r;
 
   MassProperties properties;
   properties.mass = cylinder + sphere;
-  properties.volume = kPi * r * r * h + (4.0 / 3.0) * kPi * r * r * r;
-  properties.area = 2.0 * kPi * r * length;
+  properties.volume = pi * r * r * h + (4.0 / 3.0) * pi * r * r * r;
+  properties.area = 2.0 * pi * r * length;
   properties.inertia_axial = 0.5 * cylinder * r * r + 0.4 * sphere * r * r;
   properties.inertia_transverse = cylinder * (h * h / 12.0 + 0.25 * r * r) +
                                   sphere * (0.4 * r * r + 0.25 * h * h + 0.375 * h * r);

@@ -16,6 +16,7 @@ namespace spherocylinder {
 struct Vec3 {
   double x, y, z;
 };
+constexpr Vec3 kZero = {0.0, 0.0, 0.0};
 
 SPHEROCYLINDER_INLINE Vec3 operator+(const Vec3 &a, const Vec3 &b)
 {

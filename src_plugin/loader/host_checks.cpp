@@ -2,7 +2,6 @@
 #include "loader/host_checks.h"
 
 #include <cstring>
-#include <set>
 #include <sstream>
 #include <string>
 
@@ -156,23 +155,32 @@ void check_ghosts(LAMMPS *lmp)
         lmp->group->names[group]);
 }
 
-// Simulations whose fixes are others than when their last run was prepared. With `pre no` LIGGGHTS
-// goes on with its lists of fixes by number: a new one is not called, and behind one that is gone
-// others are called in its place, or memory that is no fix's.
-std::set<const LAMMPS *> &with_other_fixes()
+// Whether the deck has made or changed what `run pre no` does not prepare, since the last run that was
+// prepared: it goes on with LIGGGHTS's lists of fixes by number, so that a new one is not called, and
+// behind one that is gone others are called in its place, or memory that is no fix's. Attached to the
+// rods.
+struct Unprepared {
+  explicit Unprepared(LAMMPS *) {}
+  bool any = false;
+};
+
+bool &unprepared(LAMMPS *lmp)
 {
-  static std::set<const LAMMPS *> simulations;
-  return simulations;
+  return static_cast<AtomVecSpherocylinder &>(*lmp->atom->avec).attached<Unprepared>().any;
 }
+
+constexpr const char *kToBePrepared[] = {"fix",  "unfix",      "compute",     "uncompute",
+                                         "dump", "pair_style", "thermo_style"};
 
 void check_run(LAMMPS *lmp, int narg, char **arg)
 {
-  if (lmp->update->first_update == 0 || with_other_fixes().count(lmp) == 0) return;
+  if (lmp->update->first_update == 0 || !unprepared(lmp)) return;
   for (int k = 1; k + 1 < narg && !is(arg[k], "every"); k++)
     if (is(arg[k], "pre") && is(arg[k + 1], "no"))
-      rod_error_all(lmp,
-                    "Command run: pre no cannot be used after fix, unfix or uncompute, it goes on "
-                    "with the fixes of the run before (expected run without pre no)");
+      rod_error_all(
+          lmp, "Command run: pre no cannot be used after fix, unfix, compute, uncompute, dump, "
+               "pair_style or thermo_style, it goes on with those of the run before (expected "
+               "run without pre no)");
 }
 
 void say_if_rods_cannot_touch(LAMMPS *lmp)
@@ -220,8 +228,8 @@ void check_command_before(LAMMPS *lmp, const char *command, int narg, char **arg
   check(lmp, HostKind::Command, command);
   check_words(lmp, command, narg, arg);
   if (is(command, "run")) check_run(lmp, narg, arg);
-  if (is(command, "fix") || is(command, "unfix") || is(command, "uncompute"))
-    with_other_fixes().insert(lmp);
+  for (const char *changing : kToBePrepared)
+    if (is(command, changing)) unprepared(lmp) = true;
 }
 
 void check_command_after(LAMMPS *lmp)
@@ -231,8 +239,8 @@ void check_command_after(LAMMPS *lmp)
 
 void check_styles_at_run_start(LAMMPS *lmp)
 {
-  with_other_fixes().erase(lmp);
   if (!has_rods(lmp)) return;
+  unprepared(lmp) = false;
   renew_lists_in_time(lmp);
   check_ghosts(lmp);
   check_contact_styles_know_rods(lmp);  // before the pair style looks at stored histories

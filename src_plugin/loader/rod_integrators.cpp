@@ -11,6 +11,7 @@
 #include "host/rod_error.h"
 #include "lammps.h"
 #include "modify.h"
+#include "rods/rod_driver.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -23,8 +24,6 @@ bool turns_rods(const Fix *fix)
 {
   return strcmp(fix->style, "nve/spherocylinder") == 0 || strcmp(fix->style, "move") == 0;
 }
-
-bool freezes_rods(const Fix *fix) { return strcmp(fix->style, "freeze") == 0; }
 
 bigint count_rods(LAMMPS *lmp, int all_of)
 {
@@ -75,10 +74,9 @@ int LAMMPS_NS::check_each_rod_is_integrated_once(LAMMPS *lmp)
   if (lmp->update->whichflag != 1 || lmp->update->nsteps == 0) return kAllGroups;
 
   const Modify *modify = lmp->modify;
-  int groups = 0;
+  int groups = frozen_groups(lmp);
   for (int i = 0; i < modify->nfix; i++) {
     const Fix *fix = modify->fix[i];
-    if (freezes_rods(fix)) groups |= fix->groupbit;
     if (!fix->time_integrate) continue;
     if (!turns_rods(fix))
       rod_error_all(

@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contacts/contact_monitor.h"
 #include "core/mass_properties.h"
 #include "domain.h"
 #include "fix.h"
@@ -148,6 +149,7 @@ void RunChecks::run_begins()
   bring_histories_to_rods(lmp_);
   AtomVecSpherocylinder &rods =
       rods_of(lmp_, "Atom style spherocylinder cannot be part of another style: it");
+  rods.attached<ContactMonitor>().run_begins();
   check_rods_are_whole(lmp_, rods);
   images_may_touch_twice_ = check_rods_fit_periodic_box(lmp_, true);
   moved_groups_ = check_each_rod_is_integrated_once(lmp_);

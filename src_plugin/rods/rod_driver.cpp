@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "rods/rod_driver.h"
 
+#include <cstring>
+
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"
@@ -25,3 +27,11 @@ int groups_of(LAMMPS *lmp, bool centres_only)
 int LAMMPS_NS::driven_groups(LAMMPS *lmp) { return groups_of(lmp, false); }
 
 int LAMMPS_NS::groups_with_driven_centres(LAMMPS *lmp) { return groups_of(lmp, true); }
+
+int LAMMPS_NS::frozen_groups(LAMMPS *lmp)
+{
+  int groups = 0;
+  for (int k = 0; k < lmp->modify->nfix; k++)
+    if (strcmp(lmp->modify->fix[k]->style, "freeze") == 0) groups |= lmp->modify->fix[k]->groupbit;
+  return groups;
+}

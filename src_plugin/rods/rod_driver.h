@@ -19,4 +19,13 @@ class RodDriver {
 int driven_groups(LAMMPS *lmp);
 int groups_with_driven_centres(LAMMPS *lmp);
 
+// Groups of all fixes freeze.
+int frozen_groups(LAMMPS *lmp);
+
+// Of rods whose centres do not give way: frozen, or driven.
+inline int standing_groups(LAMMPS *lmp)
+{
+  return frozen_groups(lmp) | groups_with_driven_centres(lmp);
+}
+
 }  // namespace LAMMPS_NS

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "atom.h"
-#include "contacts/contact_state.h"
+#include "contacts/contact_monitor.h"
 #include "core/closest_points.h"
 #include "error.h"
 #include "force.h"
@@ -103,7 +103,7 @@ void ComputeContactSpherocylinder::compute_vector()
   const double local[2] = {pairs_, overlap_sum_};
   const double local_peaks[2] = {
       largest_overlap_,
-      rods_of(lmp, "Compute contact/spherocylinder").attached<ContactState>().largest_overlap};
+      rods_of(lmp, "Compute contact/spherocylinder").attached<ContactMonitor>().largest_overlap()};
   double total[2], peaks[2];
   MPI_Allreduce(local, total, 2, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(local_peaks, peaks, 2, MPI_DOUBLE, MPI_MAX, world);

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "atom.h"
+#include "core/numbers.h"
 #include "domain.h"
 #include "fix_wall_gran.h"
 #include "force.h"
@@ -16,11 +17,11 @@
 
 using namespace LAMMPS_NS;
 using spherocylinder::load;
+using spherocylinder::pi;
 using spherocylinder::Vec3;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kNoBody = -1;  // what LIGGGHTS gives as ms_id of a particle in no multisphere body
 constexpr int kFirstKeyword = 3;
 
@@ -29,13 +30,13 @@ constexpr int kFirstKeyword = 3;
 double circle_area(double r1, double r2, double d)
 {
   const double smaller = std::min(r1, r2);
-  if (d <= 0.0 || d * d <= std::fabs(r1 * r1 - r2 * r2)) return kPi * smaller * smaller;
+  if (d <= 0.0 || d * d <= std::fabs(r1 * r1 - r2 * r2)) return pi * smaller * smaller;
   const double to_plane = 0.5 * (d + (r1 * r1 - r2 * r2) / d);  // from the centre of sphere 1
-  return kPi * (r1 * r1 - to_plane * to_plane);
+  return pi * (r1 * r1 - to_plane * to_plane);
 }
 
 // Of the circle in which a plane at the distance d from its centre cuts a sphere.
-double circle_area(double r, double d) { return kPi * (d <= 0.0 ? r * r : r * r - d * d); }
+double circle_area(double r, double d) { return pi * (d <= 0.0 ? r * r : r * r - d * d); }
 
 double *put(double *row, const Vec3 &a)
 {
@@ -219,7 +220,7 @@ void ComputeGranLocalSpherocylinder::add_wall_contact(const FixWallGran &wall_fi
            contact.torque,
            contact.normal,
            contact.point,
-           contact.history ? contact.history + end * dnum : nullptr,
+           contact.history,
            circle_area(contact.radius_i, contact.distance),
            contact.overlap});
 }

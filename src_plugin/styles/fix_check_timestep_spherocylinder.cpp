@@ -7,7 +7,7 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "contacts/contact_rates.h"
+#include "contacts/contact_state.h"
 #include "core/capsule.h"
 #include "force.h"
 #include "host/deck_numbers.h"
@@ -20,7 +20,7 @@ using namespace FixConst;
 namespace sc = spherocylinder;
 
 FixCheckTimestepSpherocylinder::FixCheckTimestepSpherocylinder(LAMMPS *lmp, int narg, char **arg)
-    : Fix(lmp, narg, arg)
+    : Fix(lmp, narg, arg), rates_(lmp)
 {
   rods_of(lmp, "Fix check/timestep/spherocylinder");
   if (narg < 5)
@@ -60,26 +60,38 @@ void FixCheckTimestepSpherocylinder::parse_options(int narg, char **arg)
   }
 }
 
+// A run that an error has ended in the midst of a step leaves it joined; with `clear` the rods go first.
+FixCheckTimestepSpherocylinder::~FixCheckTimestepSpherocylinder()
+{
+  if (ContactState *state = contacts()) state->leave(rates_);
+}
+
+ContactState *FixCheckTimestepSpherocylinder::contacts()
+{
+  auto *rods = dynamic_cast<AtomVecSpherocylinder *>(atom->avec);
+  return rods ? &rods->attached<ContactState>() : nullptr;
+}
+
 int FixCheckTimestepSpherocylinder::setmask() { return PRE_FORCE | END_OF_STEP; }
 
 void FixCheckTimestepSpherocylinder::init() { warned_ = false; }
 
 void FixCheckTimestepSpherocylinder::pre_force(int)
 {
-  if (update->ntimestep % nevery == 0)
-    rods_of(lmp, style).attached<ContactRates>().start(atom->nlocal + atom->nghost);
+  if (update->ntimestep % nevery != 0) return;
+  rates_.start();
+  contacts()->join(rates_);
 }
 
 void FixCheckTimestepSpherocylinder::end_of_step()
 {
-  ContactRates &rates = rods_of(lmp, style).attached<ContactRates>();
+  contacts()->leave(rates_);
   double local[3] = {0.0, 0.0, largest_surface_move()}, all[3];
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    local[0] = std::max(local[0], rates.squared_frequency[i]);
-    local[1] = std::max(local[1], static_cast<double>(rates.contacts[i]));
+    local[0] = std::max(local[0], rates_.squared_frequency(i));
+    local[1] = std::max(local[1], static_cast<double>(rates_.contacts(i)));
   }
-  rates.stop();
   MPI_Allreduce(local, all, 3, MPI_DOUBLE, MPI_MAX, world);
   stable_step_ = all[0] > 0.0 ? 2.0 / std::sqrt(all[0]) : 0.0;
   fraction_ = all[0] > 0.0 ? update->dt / stable_step_ : 0.0;

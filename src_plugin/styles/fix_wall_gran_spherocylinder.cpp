@@ -262,7 +262,7 @@ void FixWallGranSpherocylinder::forget_contacts_of_far_rods(double **history)
     if (beyond)
       std::fill_n(history[i], dnum(), 0.0);
     else
-      rod_wall_->part(i, history[i]);
+      rod_wall_->contacts_ended(i, history[i]);
   }
 }
 

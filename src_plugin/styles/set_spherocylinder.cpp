@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "core/mass_properties.h"
+#include "core/numbers.h"
 #include "domain.h"
 #include "force.h"
 #include "group.h"
@@ -25,8 +26,6 @@ using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct Keyword {
   const char *name;
@@ -260,7 +259,7 @@ void SetSpherocylinder::apply_orientation(const Setting &setting, int i)
                     keyword.c_str(), atom->tag[i], direction.x, direction.y, direction.z);
     const sc::Vec3 unit = (1.0 / size) * direction;
     sc::store(keyword == "axis" ? sc::orientation_of(unit)
-                                : sc::rotation_about(unit, value(3) * kPi / 180.0),
+                                : sc::rotation_about(unit, value(3) * sc::pi / 180.0),
               quaternion);
   } else if (keyword == "quat_direct") {
     const sc::Quaternion q = {value(0), value(1), value(2), value(3)};
@@ -279,7 +278,7 @@ void SetSpherocylinder::apply_orientation(const Setting &setting, int i)
     RanPark random(lmp, "12345787");
     random.reset(static_cast<int>(seed), atom->x[i]);
     const double s = random.uniform();
-    const double a = 2.0 * kPi * random.uniform(), b = 2.0 * kPi * random.uniform();
+    const double a = 2.0 * sc::pi * random.uniform(), b = 2.0 * sc::pi * random.uniform();
     sc::store(sc::Quaternion{std::cos(b) * std::sqrt(s), std::sin(a) * std::sqrt(1.0 - s),
                              std::cos(a) * std::sqrt(1.0 - s), std::sin(b) * std::sqrt(s)},
               quaternion);

@@ -32,8 +32,8 @@ class RodWall : public LIGGGHTS::Walls::IGranularWall {
   virtual void compute_forces(FixWallGran &fix, const MovingWall &wall,
                               const std::vector<int> &rods, double **history) = 0;
 
-  // Both ends of a rod forget what contact they had.
-  virtual void part(int i, double *history) = 0;
+  // Both ends of a rod no longer touch; `history`: their row.
+  virtual void contacts_ended(int i, double *history) = 0;
 };
 
 }  // namespace LAMMPS_NS

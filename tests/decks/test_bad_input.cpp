@@ -600,6 +600,14 @@ TEST(BadInput, TimeStepFarTooLongIsWarnedAbout)
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   expect_line(outcome.output, "WARNING", {"time step 0.001", "recommended", "limit", "rod 1"});
   EXPECT_EQ(lines_with(outcome.output, "time step 0.001").size(), 1u) << "once a run";
+
+  // Whichever of a pair style and several walls sees it first.
+  const std::string floor = " all wall/gran model linear tangential history surface spherocylinder "
+                            "primitive type 1 zplane ";
+  folder.write("in.walls", edited(edited(kGoodDeck, {"timestep 1e-5", "timestep 1e-3"}),
+                                  {"fix motion all", "fix one" + floor + "1e-4\nfix two" + floor +
+                                                         "2e-4\nfix motion all"}));
+  EXPECT_EQ(lines_with(folder.run("in.walls").output, "time step 0.001").size(), 1u);
 }
 
 // A rod of 0.1 m that stands with its centre 0.02 m above a floor reaches 0.03 m, three diameters,

@@ -211,6 +211,57 @@ TEST(BatchedForcesOnRanks, SameMotionOnTwo)
               run_heap("history", "", Law::LaneByLane));
 }
 
+// Two pairs of two materials in a row with one rod alone before them, which flies out of the box: the last
+// rod takes its place in memory, and the pairs change theirs in the batch.
+TEST(BatchedForcesOfFewKinds, KeepTheirMaterialsWhenARodLeaves)
+{
+  constexpr double kOverlap = 4e-4, kSoftest = 2e4;
+  const auto kn = [](int i, int j) { return i == 2 && j == 2 ? 10.0 * kSoftest : kSoftest; };
+  Scene scene;
+  scene.types = 2;
+  Rod alone;
+  alone.position = {0.9, 0.0, 0.999};
+  alone.velocity = {0.0, 0.0, 100.0};
+  scene.rods.push_back(alone);
+  for (const int type : {1, 2})
+    for (const double side : {-1.0, 1.0}) {
+      Rod rod;
+      rod.type = type;
+      rod.position = {0.4 * (type - 1.5), 0.0, 0.5 * side * (rod.diameter - kOverlap)};
+      rod.axis = side < 0.0 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+      scene.rods.push_back(rod);
+    }
+  for (const Law law : {Law::InBatches, Law::LaneByLane}) {
+    const std::string models = "linear tangential history";
+    const DeckFolder folder;
+    folder.write("rods.data", data_file(scene));
+    folder.write("in.kinds",
+                 preamble(scene) + "read_data rods.data\nneighbor 0.005 bin\n" +
+                     pair_property("kn", 2, kn) + pair_property("kt", 2, kn) +
+                     pair_property("coefficientRestitution", 2, 1.0) +
+                     pair_property("coefficientFriction", 2, 0.2) + no_rolling_friction(2) +
+                     rod_pair(law == Law::InBatches ? models : lane_by_lane(models)) + R"(
+fix motion all nve/spherocylinder
+timestep 1e-7
+variable soft equal fz[3]
+variable hard equal fz[5]
+thermo_style custom step atoms v_soft v_hard
+thermo_modify lost ignore norm no format float %.17g
+thermo 100
+run 200
+)");
+    const Outcome outcome = folder.run("in.kinds");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    const auto rows = read_thermo(outcome.output).rows;
+    EXPECT_EQ(rows.front()[1], 5.0);
+    EXPECT_EQ(rows.back()[1], 4.0);
+    for (const auto &row : rows) {  // in 2e-5 s the rods part by 1e-3 of their overlap
+      EXPECT_NEAR(row[2], kSoftest * kOverlap, 1e-2 * kSoftest * kOverlap) << "step " << row[0];
+      EXPECT_NEAR(row[3], 10.0 * kSoftest * kOverlap, 1e-1 * kSoftest * kOverlap);
+    }
+  }
+}
+
 // Two fixed rods lie in each other: there is nothing to move, no force and no NaN. fix freeze takes
 // the forces off them but sums them up first, in steps of batches too.
 TEST(BatchedForcesOfFixedRods, DoNotExist)

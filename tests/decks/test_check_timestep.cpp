@@ -15,23 +15,34 @@ namespace {
 
 constexpr double kKn = 2e5, kKt = 1e5;  // N/m
 
-Outcome run_resting_rod(const DeckFolder &folder, const std::string &options, int ranks = 1)
+Outcome run_resting_rod(const DeckFolder &folder, const std::string &options, int ranks = 1,
+                        bool beside_a_frozen_one = false)
 {
   Scene scene;
   Rod rod;
   rod.position.z = rod.radius() - rod.mass() * 9.81 / (2.0 * kKn);  // the static sink
   rod.position.x = 0.3;
   scene.rods.push_back(rod);
+  if (beside_a_frozen_one) {
+    Rod frozen;
+    frozen.type = scene.types = 2;
+    frozen.density = 27.0;
+    frozen.position = {-0.3, 0.0, 0.02};
+    frozen.axis = {0.0, 0.0, 1.0};
+    scene.rods.push_back(frozen);
+  }
   folder.write("rods.data", data_file(scene));
   folder.write("in.check",
                preamble(scene, ranks > 1 ? Mode::TwoRanks : Mode::OneRank) + R"(read_data rods.data
 neighbor 0.02 bin
-)" + linear_material(kKn, kKt, 0.5, 0.2) +
+)" + linear_material(kKn, kKt, 0.5, 0.2, scene.types) +
                    rod_pair("linear tangential history") +
                    fmt::format(R"(fix floor all wall/gran model linear tangential history &
   surface spherocylinder primitive type 1 zplane 0.0
 fix gravity all gravity 9.81 vector 0.0 0.0 -1.0
-fix motion all nve/spherocylinder
+group frozen type 2
+group loose subtract all frozen
+{}fix motion loose nve/spherocylinder
 fix check all check/timestep/spherocylinder {}
 timestep 2e-5
 thermo_style custom step f_check[1] f_check[2] f_check[3]
@@ -39,7 +50,7 @@ thermo_modify norm no format float %.17g
 thermo 10
 run 10
 )",
-                               options));
+                               beside_a_frozen_one ? "fix hold frozen freeze\n" : "", options));
   return folder.run("in.check", {Program::Lmp, ranks});
 }
 
@@ -74,6 +85,16 @@ TEST(CheckTimestep, StatesTheStableStepOfARestingRod)
     EXPECT_EQ(row[3], 2.0);
     EXPECT_EQ(outcome.output.find("WARNING: Fix check/timestep"), std::string::npos);
   }
+}
+
+// A frozen rod, light and deep in the floor, does not swing, and where it was placed is no impact.
+TEST(CheckTimestep, LeavesFrozenRodsOut)
+{
+  const DeckFolder folder;
+  const Outcome outcome = run_resting_rod(folder, "10 0.5", 1, true);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NEAR(read_thermo(outcome.output).rows.back()[2], stable_step(), 1e-6 * stable_step());
+  EXPECT_EQ(outcome.output.find("WARNING: Rod contacts"), std::string::npos) << outcome.output;
 }
 
 TEST(CheckTimestep, WarnsOnceAndStopsIfAsked)

@@ -112,10 +112,14 @@ group old id 3
   }
 }
 
-// LIGGGHTS would go on with its list of fixes by number, one of which is gone.
-TEST(Integrators, RunPreNoWantsTheSameFixes)
+// LIGGGHTS would go on with its list of fixes by number, one of which is gone, and with a pair style, dump
+// or columns that nobody has prepared.
+TEST(Integrators, RunPreNoWantsTheSameStyles)
 {
-  for (const char *change : {"unfix down", "unfix push", "fix more all addforce 1.0 0.0 0.0"}) {
+  for (const char *change :
+       {"unfix down", "unfix push", "fix more all addforce 1.0 0.0 0.0", "pair_style none",
+        "compute more all contact/spherocylinder", "dump more all custom 5 more.dump id fx",
+        "thermo_style custom step ke"}) {
     const Outcome outcome = outcome_of(two_rods(std::string(R"(timestep 2e-5
 fix motion all nve/spherocylinder
 fix down all gravity 9.81 vector 0.0 0.0 -1.0

@@ -131,7 +131,7 @@ struct Batch {
   LinearMaterials materials{};
   ContactLoads loads{};
 
-  void work_out(const LinearLaw &law) { linear_contacts(arms, materials, law, loads); }
+  void work_out(const LinearOptions &law) { linear_contacts(arms, materials, law, loads); }
 };
 
 void set(Batch &all, int k, const Contact &c)
@@ -169,7 +169,7 @@ long double inverse_mass_at(const Rod &rod, const Long3 &arm, const Long3 &n)
          contracted(inverse(inertia_tensor(rod.axis, rod.properties)), cross(arm, n));
 }
 
-Result by_hand(const Contact &c, const LinearLaw &law, bool turning)
+Result by_hand(const Contact &c, const LinearOptions &law, bool turning)
 {
   Result r;
   const long double dt = law.dt, reach = static_cast<long double>(c.i.radius) + c.j.radius;
@@ -256,7 +256,7 @@ using Options = std::tuple<Tangential, bool, bool, SliderLimits>;
 
 class LinearContact : public testing::TestWithParam<Options> {
  protected:
-  LinearLaw law() const
+  LinearOptions law() const
   {
     const auto [tangential, damping, limit, slider] = GetParam();
     return {tangential, damping, limit, slider, kStep, kStep};
@@ -403,7 +403,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(LinearContacts, TwoFrozenRodsHaveNoInverseMass)
 {
   RandomRods random(67867967);
-  const LinearLaw law = {Tangential::History, true, false, SliderLimits::WholeForce, kStep, kStep};
+  const LinearOptions law = {Tangential::History,      true,  false,
+                             SliderLimits::WholeForce, kStep, kStep};
   Batch all{}, mixed{};
   for (int k = 0; k < kBatch; k++) {
     Contact c = random_contact(random, 0.01);
@@ -430,7 +431,8 @@ TEST(LinearContacts, TwoFrozenRodsHaveNoInverseMass)
 TEST(LinearContacts, SpringsThatDoNotGoOnStay)
 {
   RandomRods random(86028121);
-  const LinearLaw law = {Tangential::History, false, false, SliderLimits::WholeForce, kStep, 0.0};
+  const LinearOptions law = {Tangential::History,      false, false,
+                             SliderLimits::WholeForce, kStep, 0.0};
   Batch all{};
   Contact input[kBatch];
   for (int k = 0; k < kBatch; k++) {

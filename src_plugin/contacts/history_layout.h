@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "contact_interface.h"
+
+namespace LAMMPS_NS {
+
+// Hands the history values that contact models ask for on to the pair style or wall that keeps them, and
+// knows afterwards which are where.
+class HistoryLayout : public LIGGGHTS::IContactHistorySetup {
+ public:
+  explicit HistoryLayout(LIGGGHTS::IContactHistorySetup &keeper) : keeper_(keeper) {}
+
+  int add_history_value(std::string name, std::string changes_sign) override
+  {
+    names_.push_back(name);
+    return keeper_.add_history_value(name, changes_sign);
+  }
+
+  // For the contacts of a rod's other end with a wall: room for the same values once more, behind them.
+  void add_other_end()
+  {
+    const std::vector<std::string> names = names_;
+    for (const std::string &name : names) keeper_.add_history_value("other_end_" + name, "0");
+  }
+
+  // Of one contact.
+  int values() const { return static_cast<int>(names_.size()); }
+  // Where a contact's history has a value, -1 if it has not.
+  int offset_of(const std::string &name) const
+  {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    return found == names_.end() ? -1 : static_cast<int>(found - names_.begin());
+  }
+
+ private:
+  LIGGGHTS::IContactHistorySetup &keeper_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace LAMMPS_NS
