@@ -221,7 +221,7 @@ TEST(BatchedForcesOfFewKinds, KeepTheirMaterialsWhenARodLeaves)
   scene.types = 2;
   Rod alone;
   alone.position = {0.9, 0.0, 0.999};
-  alone.velocity = {0.0, 0.0, 100.0};
+  alone.velocity = {0.0, 0.0, 400.0};
   scene.rods.push_back(alone);
   for (const int type : {1, 2})
     for (const double side : {-1.0, 1.0}) {
