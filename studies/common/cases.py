@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pandas
 
+from .rows import PLUGIN_SOURCES
+
 ROOT = Path(__file__).resolve().parents[2]
 DEFAULT_BUILD = ROOT / "build" / "release"
 
@@ -49,6 +51,43 @@ def program_path(name: str, build: Path | str | None = None) -> str:
     if not path.exists():
         raise CaseError(f"{path} is not there: scripts/build makes it")
     return str(path)
+
+
+def with_included(source: Path, folders: list[Path]) -> set[Path]:
+    """A source, the headers that it includes from the folders and, as those do, their .cpp files."""
+    found: set[Path] = set()
+    waiting = [source]
+    while waiting:
+        path = waiting.pop()
+        if path in found or not path.exists():
+            continue
+        found.add(path)
+        names = re.findall(r'^#include "(.+)"', path.read_text(), re.MULTILINE)
+        waiting += [folder / name for name in names for folder in folders]
+        waiting += [path.with_suffix(".cpp")] if path.suffix == ".h" else []
+    return found
+
+
+def made_of(program: str, root: Path = ROOT) -> tuple[str, set[Path]]:
+    """The file in the build's folder that is made of our sources, and those: of lmp the plug-in."""
+    if program == "lmp":
+        return "libspherocylinder.so", {path for folder in PLUGIN_SOURCES for path in
+                                        (root / folder).rglob("*") if path.suffix in (".h", ".cpp")}
+    return program, with_included(root / "postproc" / "tools" / f"{program}.cpp",
+                                  [root / "postproc", root / "src_plugin"])
+
+
+def why_not_to_be_run(program: str, build: Path, root: Path = ROOT) -> str | None:
+    """A program that is missing, or older than its sources, in a sentence."""
+    name, sources = made_of(program, root)
+    for path in (build / program, build / name):
+        if not path.exists():
+            return f"{path} is not there: scripts/build makes it"
+    for source in sorted(sources):
+        if source.stat().st_mtime > (build / name).stat().st_mtime:
+            return (f"{source.relative_to(root)} is newer than {build / name}: "
+                    "scripts/build makes it anew")
+    return None
 
 
 def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None,

@@ -25,7 +25,7 @@ HERE = Path(workflow.basedir).resolve()
 ROOT = Path(workflow.current_basedir.get_path_or_uri()).resolve().parents[1]
 sys.path[:0] = [str(ROOT)]
 
-from studies.common import rows as _rows  # noqa: E402
+from studies.common import cases as _cases, rows as _rows  # noqa: E402
 
 
 def refuse(sentence):
@@ -91,29 +91,13 @@ def stamp(name, *sources):
     return str(path)
 
 
-def newest(*folders):
-    files = [path for folder in folders for ending in ("*.h", "*.cpp")
-             for path in (ROOT / folder).rglob(ending)]
-    return max(files, key=lambda path: path.stat().st_mtime)
-
-
 def need_programs(*names):
     """Refuses a program that is missing or older than what it is made of: a stamp is of sources, a
     result of programs."""
-    tools = ("postproc/analysis", "postproc/pictures", "src_plugin/core")
     for name in names:
-        made_of = []
-        if name == "lmp":
-            made_of = [("libspherocylinder.so", newest("src_plugin"))]
-        elif name.startswith("rod_"):
-            folders = tools if name in ("rod_render", "rod_vtk") else tools[::2]
-            made_of = [(name, newest(*folders)), (name, ROOT / f"postproc/tools/{name}.cpp")]
-        for program, source in [(name, None), *made_of]:
-            path = BUILD / program
-            if not path.exists():
-                refuse(f"{path} is not there: scripts/build makes it")
-            if source and source.stat().st_mtime > path.stat().st_mtime:
-                refuse(f"{source.relative_to(ROOT)} is newer than {path}: scripts/build makes it anew")
+        reason = _cases.why_not_to_be_run(name, BUILD)
+        if reason:
+            refuse(reason)
 
 
 configfile: str(HERE / "config.yaml")
@@ -142,7 +126,7 @@ _elsewhere = "results" in config or "work" in config or MODE != "full"
 RESULTS = folder_given("results", WORK / "results" if _elsewhere else HERE / "results")
 README = str((RESULTS if _elsewhere else HERE) / "README.md")
 PLUGIN = stamp("plugin", *_rows.PLUGIN_SOURCES)
-TOOLS = stamp("tools", "postproc/analysis", "src_plugin/core", "postproc/tools")
+TOOLS = stamp("tools", *_rows.MEASURING_SOURCES, "postproc/tools")
 
 # One timed job at a time; such a job also takes all threads: threads: workflow.cores.
 workflow.global_resources.setdefault("timing", 1)

@@ -12,14 +12,21 @@ import pandas
 
 ROOT = Path(__file__).resolve().parents[2]
 PLUGIN_SOURCES = ("src_plugin",)
+# Of the post-processors: what measures, and what draws.
+MEASURING_SOURCES = ("postproc/cli", "postproc/io", "postproc/measures", "postproc/solid",
+                     "src_plugin/core")
+DRAWING_SOURCES = (*MEASURING_SOURCES, "postproc/pictures")
 PROVENANCE = ("command", "seed", "version", "machine")
 
 
 def sum_of(*parts: Path | str) -> str:
-    """Check sum of files and of what folders hold, the same on every machine: twelve digits."""
+    """Check sum of files and of what folders hold, the same on every machine: twelve digits. A part
+    that is not there is an error: nothing would be the same for ever."""
     total = hashlib.sha256()
     for part in parts:
         part = ROOT / part
+        if not part.exists():
+            raise FileNotFoundError(f"{part} is not there: no check sum of it")
         files = [part] if part.is_file() else sorted(p for p in part.rglob("*") if p.is_file())
         for path in files:
             total.update(path.relative_to(ROOT).as_posix().encode() + b"\0")

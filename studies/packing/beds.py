@@ -77,7 +77,7 @@ def measure(dump: Path | str, run: dict, build) -> tuple[dict, object]:
     return row, elevation
 
 
-MEASURED_BY = ("postproc/analysis", "src_plugin/core", "postproc/tools/rod_packing.cpp",
+MEASURED_BY = (*rows.MEASURING_SOURCES, "postproc/tools/rod_packing.cpp",
                "postproc/tools/rod_orientation.cpp")
 
 

@@ -3,6 +3,7 @@
 import concurrent.futures
 import hashlib
 import math
+import os
 import sys
 
 import numpy
@@ -182,6 +183,54 @@ def test_provenance():
     assert list(row) == list(rows.PROVENANCE)
     assert len(row["version"]) == 12
     assert "core" in row["machine"]
+
+
+# What is no more there would have the same sum for ever.
+def test_a_sum_of_nothing_is_refused(tmp_path):
+    with pytest.raises(FileNotFoundError, match="postproc/nothing is not there"):
+        rows.sum_of("src_plugin", "postproc/nothing")
+
+
+# Each file that the linker gives a program is in the stamps, by what is included from it on.
+def test_stamps_are_of_all_that_a_program_is_made_of():
+    for tool in (ROOT / "postproc/tools").glob("*.cpp"):
+        draws = tool.stem in ("rod_render", "rod_vtk")
+        folders = rows.DRAWING_SOURCES if draws else rows.MEASURING_SOURCES
+        _, sources = cases.made_of(tool.stem)
+        for path in sources - {tool}:
+            assert any(path.is_relative_to(ROOT / folder) for folder in folders), (tool.stem, path)
+    packing, picture = (cases.made_of(name)[1] for name in ("rod_packing", "rod_render"))
+    assert {ROOT / "postproc/measures/packing_measures.cpp", ROOT / "postproc/io/line_source.cpp",
+            ROOT / "postproc/solid/overlap_volume.cpp", ROOT / "src_plugin/core/numbers.h"} <= packing
+    assert ROOT / "postproc/pictures/view.cpp" in picture - packing
+    assert ROOT / "src_plugin/core/linear_law.h" in cases.made_of("lmp")[1] - packing  # the plug-in's alone
+
+
+def test_a_program_older_than_its_sources_is_refused(tmp_path):
+    def write(name, text, time):
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        os.utime(path, (time, time))
+
+    write("postproc/tools/rod_x.cpp", '#include "measures/x.h"\n', 10)
+    write("postproc/measures/x.h", "", 10)
+    write("postproc/measures/x.cpp", '#include "measures/x.h"\n#include "core/y.h"\n', 10)
+    write("src_plugin/core/y.h", "", 10)
+    write("src_plugin/core/of_the_plugin.h", "", 30)
+
+    def reason(program):
+        return cases.why_not_to_be_run(program, tmp_path / "b", tmp_path)
+    assert reason("rod_x") == f"{tmp_path}/b/rod_x is not there: scripts/build makes it"
+    write("b/rod_x", "", 20)
+    assert reason("rod_x") is None
+    write("src_plugin/core/y.h", "", 21)
+    assert reason("rod_x") == \
+        f"src_plugin/core/y.h is newer than {tmp_path}/b/rod_x: scripts/build makes it anew"
+    write("b/lmp", "", 20)
+    assert reason("lmp") == f"{tmp_path}/b/libspherocylinder.so is not there: scripts/build makes it"
+    write("b/libspherocylinder.so", "", 20)
+    assert reason("lmp").startswith("src_plugin/core/of_the_plugin.h is newer than ")
 
 
 def test_numbers_of_pages():
