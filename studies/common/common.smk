@@ -10,10 +10,11 @@
 #                  rules that run or measure
 #   config         config.yaml with the values of its section `modes: quick:` or `modes: smoke:` in
 #                  such a run; what is given by --config wins
-# and refuse(sentence), need_programs(names), stamp(name, sources) for other stamps; of what config holds
-# values_of, number_of, numbers_of, choices_of(name, ...), which refuse what a study cannot use. The
-# working folder, to which relative paths belong, is the study's of this mode in build/studies, also that of
-# snakemake's own records.
+# and refuse(sentence), need_programs(names), need_kept(tables), stamp(name, sources) for other stamps,
+# figure_files(stem), what plots.save writes; of what config holds values_of, number_of, whole_number_of,
+# numbers_of, whole_numbers_of, choices_of, mapping_of, mappings_of(name, ...), which refuse what a study
+# cannot use. The working folder, to which relative paths belong, is the study's of this mode in
+# build/studies, also that of snakemake's own records.
 import os
 import sys
 from pathlib import Path
@@ -25,10 +26,11 @@ HERE = Path(workflow.basedir).resolve()
 ROOT = Path(workflow.current_basedir.get_path_or_uri()).resolve().parents[1]
 sys.path[:0] = [str(ROOT)]
 
-from studies.common import cases as _cases, rows as _rows  # noqa: E402
+from studies.common import cases as _cases, plots as _plots, rows as _rows  # noqa: E402
 
 
 def refuse(sentence):
+    sys.tracebacklimit = 0   # where in a Snakefile it is refused is of no use to who reads it
     raise WorkflowError(f"{STUDY}: {sentence}")
 
 
@@ -48,14 +50,15 @@ def values_of(name):
     return [str(value) for value in given]
 
 
-def one_number(name, given, low, high):
+def one_number(name, given, low, high=float("inf"), kind="number"):
     try:
         value = float(given)
     except (TypeError, ValueError):
         value = float("nan")
-    if not low <= value <= high or value == float("inf"):
+    whole = kind == "number" or str(given).isdecimal()
+    if not (low <= value <= high and whole) or value == float("inf"):
         wanted = f"from {low} to {high}" if high < float("inf") else f">= {low}"
-        refuse(f"{name} must be a number {wanted} (got {given})")
+        refuse(f"{name} must be a {kind} {wanted} (got {given})")
     return value
 
 
@@ -66,6 +69,45 @@ def number_of(name, low, high=float("inf")):
 def numbers_of(name, low, high=float("inf")):
     """As values_of, of which each is a number."""
     return [one_number(name, value, low, high) for value in values_of(name)]
+
+
+def one_whole_number(name, given, low, high=float("inf")):
+    return int(one_number(name, given, low, high, "whole number"))
+
+
+def whole_number_of(name, low, high=float("inf")):
+    return one_whole_number(name, config[name], low, high)
+
+
+def whole_numbers_of(name, low, high=float("inf")):
+    """As values_of, of which each is a whole number."""
+    return [one_whole_number(name, value, low, high) for value in values_of(name)]
+
+
+def one_mapping(name, given, needed=(), more=None):
+    """Its keys are those needed and some of `more`, any if that is None."""
+    if not isinstance(given, dict):
+        keys = f" with {', '.join(needed)}" if needed else ""
+        refuse(f"{name} must be a mapping {{KEY: VALUE}}{keys} (got {given})")
+    for key in needed:
+        if key not in given:
+            refuse(f"{name} must have {', '.join(needed)} (got {given})")
+    for key in given:
+        if more is not None and key not in (*needed, *more):
+            refuse(f"{name} may have {', '.join((*needed, *more))} (got {key})")
+    return given
+
+
+def mapping_of(name, needed=(), more=None):
+    """Empty if nothing is given."""
+    return one_mapping(name, config[name] or {}, needed, more)
+
+
+def mappings_of(name, needed=(), more=None):
+    """A list of them, which may be empty."""
+    given = config[name] or []
+    return [one_mapping(f"each of {name}", each, needed, more)
+            for each in (given if isinstance(given, list) else [given])]
 
 
 def choices_of(name, allowed):
@@ -100,15 +142,33 @@ def need_programs(*names):
             refuse(reason)
 
 
+def need_kept(*tables):
+    """Refuses kept=1 where there is nothing to make a page of."""
+    for path in tables if KEPT else ():
+        if not Path(path).exists():
+            refuse(f"kept=1 makes figures and pages of {path}, which is not there: without kept=1 it is made")
+
+
+def figure_files(stem):
+    return [f"{stem}{ending}" for ending in _plots.endings()]
+
+
+STUDY = HERE.name if HERE.parent.name == "studies" else HERE.relative_to(ROOT).as_posix()
+_own = yaml.safe_load((HERE / "config.yaml").read_text())
+for _name, _value in workflow.overwrite_config.items():   # snakemake puts mappings together
+    if isinstance(_own.get(_name), dict):
+        one_mapping(_name, _value)
+
+
 configfile: str(HERE / "config.yaml")
 
 
 # The folder in which snakemake was started; jobs are started in the working folder.
 _started_in = os.environ.setdefault("STUDY_STARTED_IN", os.getcwd())
-STUDY = HERE.name if HERE.parent.name == "studies" else HERE.relative_to(ROOT).as_posix()
 KEPT = truth("kept")
-_known = {"kept", "quick", "smoke", "build", "work", "results",
-          *yaml.safe_load((HERE / "config.yaml").read_text())} - {"modes"}
+_plots.PDF = truth("pdf")
+_known = {"kept", "pdf", "quick", "smoke", "build", "work", "results",
+          *_own} - {"modes"}
 for _name in workflow.overwrite_config:
     if _name not in _known:
         refuse(f"{_name} is not in its config.yaml (expected one of {', '.join(sorted(_known))})")

@@ -22,6 +22,8 @@ CYCLE = [COLOURS[name] for name in ("blue", "vermilion", "green", "purple", "ora
 MARKERS = ["o", "s", "D", "^", "v", "P", "X"]
 DASHES = ["-", (0, (5, 2)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5))]
 
+PDF = False   # whether save writes STEM.pdf too: --config pdf=1
+
 _DRAWING = threading.Lock()
 
 # What differs between two runs of matplotlib is left out of its files.
@@ -43,13 +45,17 @@ def errors(values):
     return values if numpy.isfinite(values).any() else None
 
 
-def save(figure, stem: Path | str, pdf: bool = False) -> None:
+def endings() -> list[str]:
+    return [".svg", ".png"] + [".pdf"] * PDF
+
+
+def save(figure, stem: Path | str) -> None:
     """Writes STEM.svg and STEM.png, on request STEM.pdf. One figure at a time, whatever the thread:
     matplotlib's reader of formulas, as tick labels of logarithmic axes are, is one for all."""
     stem = Path(stem)
     stem.parent.mkdir(parents=True, exist_ok=True)
     with _DRAWING:
-        for ending in (".svg", ".png") + ((".pdf",) if pdf else ()):
+        for ending in endings():
             figure.savefig(stem.with_name(stem.name + ending), metadata=_METADATA[ending])
 
 

@@ -13,9 +13,13 @@ wildcard_constraints:
     limits="study|none",
 
 
+for name, least in (("number", 0), ("bed_turns", 1), ("rest_steps", 1)):
+    whole_number_of(name, least)
+whole_numbers_of("fresh_seeds", 1)
+need_kept(FRESH_RUNS, SECONDS)
+
+
 if not KEPT:
-    number_of("number", 0)
-    number_of("bed_turns", 1)
     need_programs("lmp", "rod_packing", "rod_orientation")
 
     rule bed:

@@ -34,8 +34,9 @@ SCENES = {
 }
 # A change of a scene: the features it has instead. What is named `off` costs nothing if all of its
 # numbers are those of the scene as it is.
+FIRST = "as it is"   # what the others are compared with
 CHANGES = {
-    "as it is": {},
+    FIRST: {},
     "without friction": {"tangential": "off"},
     "friction without history": {"tangential": "no_history"},
     "friction with history": {"tangential": "history"},

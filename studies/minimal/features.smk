@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # What each feature of a scene costs: a job a scene counts, another times it alone on the machine.
 FEATURES = str(RESULTS / "features.csv")
-FEATURE_SCENES = list(config["features"])
-FEATURE_SIZES = dict(number=int(number_of("feature_particles", 1)), seed=int(config["feature_seed"]),
-                     build=BUILD)
+FEATURE_SCENES = list(mapping_of("features"))
+FEATURE_SIZES = dict(number=whole_number_of("feature_particles", 1),
+                     seed=whole_number_of("feature_seed", 1), build=BUILD)
 
 
 wildcard_constraints:
@@ -11,10 +11,18 @@ wildcard_constraints:
 
 
 for name in ("feature_start_steps", "feature_counted_steps", "feature_timed_steps", "feature_turns"):
-    number_of(name, 1)
-for name in FEATURE_SCENES:
+    whole_number_of(name, 1)
+if not FEATURE_SCENES:
+    refuse("features must not be empty")
+for name, changes in config["features"].items():
     if name not in features.SCENES:
         refuse(f"features must be of {', '.join(features.SCENES)} (got {name})")
+    if not isinstance(changes, list) or changes[:1] != [features.FIRST]:
+        refuse(f"features of {name} must be a list that begins with {features.FIRST} (got {changes})")
+    for change in changes:
+        if change not in features.CHANGES:
+            refuse(f"features of {name} must be among {', '.join(features.CHANGES)} (got {change})")
+need_kept(FEATURES)
 
 
 if not KEPT:

@@ -15,6 +15,7 @@ from studies.common.statistics import equivalence
 
 OWN = ("limits", "stiffness_times", "softened_times", "vessel_times",
        "rods_times")   # not of the decks
+KEYS = ("variable", "values", "levels", "with", "against")   # of a factor
 TAPS = ("taps", "tap_strength", "tap_frequency", "tap_time")
 QUANTITIES = {"vf_inner": "V_f, inner cylinder", "vf_whole": "V_f, whole vessel",
               "elevation_deg": "mean elevation", "contacts": "contacts a rod"}
@@ -55,6 +56,11 @@ def cases_of(factors: dict, only: list[str]) -> list[Case]:
         if "levels" in told:
             levels = {str(level): (given, math.nan) for level, given in told["levels"].items()}
         else:
+            if "variable" not in told:
+                raise ValueError(f"factor {factor} must have the variable of its values")
+            for value in told["values"]:
+                if not isinstance(value, (int, float)):
+                    raise ValueError(f"factor {factor}: values must be numbers (got {value})")
             levels = {f"{value:g}": ({told["variable"]: value}, float(value))
                       for value in told["values"]}
         against = str(told.get("against", ""))

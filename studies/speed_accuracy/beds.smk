@@ -12,6 +12,31 @@ BED_PAGE = str(Path(README).with_name("beds.md"))
 BED_ASPECTS = [f"{value:g}" for value in numbers_of("bed_lambdas", 1)]
 
 
+def check_bed(name, case):
+    """A case of rods or of glued spheres, the numbers it has."""
+    for key in case.keys() - {"rule", "lambdas", "seeds"}:
+        one_number(f"{key} of {name}", case[key], 1e-6, 1 if key == "fraction" else float("inf"))
+    one_whole_number(f"seeds of {name}", case["seeds"], 1)
+    if case.get("rule", "spread") not in ("spread", "single"):
+        refuse(f"rule of {name} must be spread or single (got {case['rule']})")
+    aspects = case.get("lambdas", [10])
+    if not isinstance(aspects, list):
+        refuse(f"lambdas of {name} must be a list (got {aspects})")
+    for aspect in aspects:
+        one_number(f"lambdas of {name}", aspect, 1)
+
+
+OF_RODS = ("rule", "stiffness", "fraction", "seeds")
+OF_SPHERES = ("spacing", "contacts", "fraction", "seeds")
+check_bed("bed_reference", mapping_of("bed_reference", OF_RODS, []))
+for name, keys in (("bed_rods", OF_RODS), ("bed_spheres", OF_SPHERES)):
+    for case in mappings_of(name, keys, ["lambdas"]):
+        check_bed(name, case)
+whole_numbers_of("bed_seeds", 1)
+number_of("bed_time", 0.1)
+whole_number_of("bed_number", 0)
+
+
 def bed_jobs():
     """Names of all beds, those of most worth for their time first."""
     rods = [config["bed_reference"], *(config["bed_rods"] or [])]
@@ -26,6 +51,8 @@ def bed_jobs():
 # --config beds_there=1: of the beds that have been made, and none if none has, so that a study that was
 # stopped can be charted; beds_kept=1: the table of beds as it is kept.
 BEDS_THERE = [path for path in (f"beds/{job}.csv" for job in bed_jobs()) if (WORK / path).exists()]
+if truth("beds_kept") and not Path(BED_RUNS).exists():
+    refuse(f"beds_kept=1 takes the beds of {BED_RUNS}, which is not there")
 if Path(BED_RUNS).exists() if KEPT or truth("beds_kept") else BEDS_THERE or not truth("beds_there"):
     BED_ROWS = str(RESULTS / "beds.csv")
 
@@ -39,8 +66,6 @@ wildcard_constraints:
 
 
 if not KEPT:
-    number_of("bed_time", 0.1)
-    number_of("bed_number", 0)
 
     rule bed_of_rods:
         input: settling.DECKS, PLUGIN

@@ -15,13 +15,14 @@ SCENE_ROWS = str(RESULTS / "scenes.csv")
 
 def sweep_options(code):
     """The options of sweep.py for a code that config.yaml gives."""
-    for name in ("copies", "spheres", f"{code}_work"):
-        number_of(name, 1)
+    number_of(f"{code}_work", 1)
+    for name in ("seed", "copies", "spheres"):
+        whole_number_of(name, 1)
     words = ["--code", code, "--build", BUILD, "--seed", config["seed"], "--copies", config["copies"],
              "--spheres", config["spheres"], "--most-work", config[f"{code}_work"]]
     for option, name in (("--spacings", "spacings"), ("--stiffnesses", f"{code}_stiffnesses"),
                          ("--fractions", f"{code}_fractions")):
-        numbers_of(name, 1e-6)
+        numbers_of(name, 1e-6, *([1] if option == "--fractions" else []))
         words += [option, *values_of(name)]
     return shlex.join(map(str, words))
 
@@ -32,10 +33,13 @@ wildcard_constraints:
     code="rods|spheres",
 
 
+whole_number_of("turns", 1)
+for code in SCENE_DECKS:
+    sweep_options(code)
+need_kept(SCENE_ROWS)
+
+
 if not KEPT:
-    number_of("turns", 1)
-    for code in SCENE_DECKS:
-        sweep_options(code)
     need_programs("lmp", "rods_to_multisphere", "multisphere_to_rods", "rod_packing",
                   "rod_orientation")
 

@@ -40,11 +40,13 @@ def kept_page_is_made_again(study, tmp_path):
     """kept_page_is_made_again("minimal"): from its kept tables a study makes the page that is kept."""
     def make(name):
         folder = ROOT / "studies" / name
-        if not (folder / "results").exists():
-            pytest.skip("no results are kept")
+        if not (folder / "README.md").exists():
+            pytest.skip("no page is kept yet")
         shutil.copytree(folder / "results", tmp_path / "results")
-        done = study(name, "kept=1")
+        done = study(name, "kept=1", "pdf=1")
         assert done.returncode == 0, done.stdout
+        for path in tmp_path.glob("results/*.svg"):
+            assert path.with_suffix(".pdf").exists(), path
         kept = (folder / "README.md").read_text()
         assert (tmp_path / "results/README.md").read_text() == kept.replace("](results/", "](")
 

@@ -267,12 +267,13 @@ def test_a_page_takes_its_pictures_in(tmp_path):
     assert Image.open(tmp_path / "small.png").size == (60, 80)
 
 
-def test_figures_are_the_same_each_time(tmp_path):
+def test_figures_are_the_same_each_time(tmp_path, monkeypatch):
+    monkeypatch.setattr(plots, "PDF", True)
     for stem in ("a", "b"):
         figure, axes = plots.new_figure(80, 60)
         axes.errorbar([1, 2], [1, 2], plots.errors([0.1, math.nan]), label="λ")
         axes.legend()
-        plots.save(figure, tmp_path / stem, pdf=True)
+        plots.save(figure, tmp_path / stem)
     for ending in (".svg", ".png", ".pdf"):
         assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes(), ending
     assert Image.open(tmp_path / "a.png").size == (629, 472)  # of 200 a 25.4 mm
@@ -292,6 +293,10 @@ def test_a_study_runs_and_is_not_run_again(study, tmp_path):
     (tmp_path / "results/README.md").unlink()
     kept = study("tests/studies/tiny", "smoke=1", "kept=1")
     assert kept.returncode == 0 and "rule page" in kept.stdout and "rule run" not in kept.stdout
+    # A PDF on request, also where all else is made.
+    assert not (tmp_path / "results/energy.pdf").exists()
+    printed = study("tests/studies/tiny", "smoke=1", "kept=1", "pdf=1")
+    assert printed.returncode == 0 and (tmp_path / "results/energy.pdf").exists(), printed.stdout
     (tmp_path / "results/README.md").unlink()
     (tmp_path / "results/energy.csv").unlink()
     lost = study("tests/studies/tiny", "smoke=1", "kept=1")
@@ -300,7 +305,7 @@ def test_a_study_runs_and_is_not_run_again(study, tmp_path):
     far = study("tests/studies/tiny", "smoke=1", options=["--cluster", "sh", "--jobs", 2])
     assert far.returncode == 0 and (tmp_path / "results/energy.csv").exists(), far.stdout
     refused = study("tests/studies/tiny", "smoke=1", "steps=0")
-    assert refused.returncode != 0 and "tiny: steps must be >= 1 (got 0)" in refused.stdout
+    assert refused.returncode != 0 and "tiny: steps must be a whole number >= 1 (got 0)" in refused.stdout
 
 
 # A job that is a process of its own has the folder in which snakemake was started first on its path.

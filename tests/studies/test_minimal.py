@@ -169,6 +169,7 @@ def test_settings_of_the_decks():
 
 
 def test_the_kept_page_is_that_of_the_kept_tables(kept_page_is_made_again):
+    assert (STUDY / "README.md").exists()
     kept_page_is_made_again("minimal")
 
 
