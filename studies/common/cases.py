@@ -68,25 +68,26 @@ def with_included(source: Path, folders: list[Path]) -> set[Path]:
     return found
 
 
-def made_of(program: str, root: Path = ROOT) -> tuple[str, set[Path]]:
-    """The file in the build's folder that is made of our sources, and those: of lmp the plug-in."""
+def made_of(program: str, root: Path = ROOT) -> dict[str, set[Path]]:
+    """Files in the build's folder, each with its sources of ours: lmp loads the plug-in."""
     if program == "lmp":
-        return "libspherocylinder.so", {path for folder in PLUGIN_SOURCES for path in
-                                        (root / folder).rglob("*") if path.suffix in (".h", ".cpp")}
-    return program, with_included(root / "postproc" / "tools" / f"{program}.cpp",
-                                  [root / "postproc", root / "src_plugin"])
+        files = {path for folder in PLUGIN_SOURCES for path in (root / folder).rglob("*")
+                 if path.suffix in (".h", ".cpp") and not path.stem.endswith("_main")}
+        start = {path for path in files if path.name == "lmp.cpp"}
+        return {"lmp": start, "libspherocylinder.so": files - start}
+    return {program: with_included(root / "postproc" / "tools" / f"{program}.cpp",
+                                   [root / "postproc", root / "src_plugin"])}
 
 
 def why_not_to_be_run(program: str, build: Path, root: Path = ROOT) -> str | None:
     """A program that is missing, or older than its sources, in a sentence."""
-    name, sources = made_of(program, root)
-    for path in (build / program, build / name):
-        if not path.exists():
-            return f"{path} is not there: scripts/build makes it"
-    for source in sorted(sources):
-        if source.stat().st_mtime > (build / name).stat().st_mtime:
-            return (f"{source.relative_to(root)} is newer than {build / name}: "
-                    "scripts/build makes it anew")
+    for name, sources in made_of(program, root).items():
+        made = build / name
+        if not made.exists():
+            return f"{made} is not there: scripts/build makes it"
+        for source in sorted(sources):
+            if source.stat().st_mtime > made.stat().st_mtime:
+                return f"{source.relative_to(root)} is newer than {made}: scripts/build makes it anew"
     return None
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import re
+import shlex
 from pathlib import Path
 from typing import Iterable
 
@@ -50,6 +51,11 @@ def machine() -> str:
         pass
     cores = len(os.sched_getaffinity(0))
     return f"{name}, {cores} core{'s' if cores != 1 else ''}"
+
+
+def typed(words: Iterable) -> str:
+    """A command as it can be typed, without the place of the project's folder."""
+    return shlex.join(str(word).replace(f"{ROOT}/", "") for word in words)
 
 
 def provenance(command: str, seed: int | str) -> dict:

@@ -12,7 +12,7 @@ from pathlib import Path
 import pandas
 
 from . import cases
-from .rows import provenance
+from .rows import provenance, typed
 
 ROOT = cases.ROOT
 DECKS = [ROOT / "input" / name for name in ("in.rods", "in.contact", "in.fill", "in.settle")]
@@ -137,10 +137,11 @@ def settle_spheres(folder: Path | str, aspect: float, seed: int, spacing: float,
     cases.link_decks(folder / "start", DECKS)
     cases.link_decks(folder, [deck, LAW])
     # The poses as they are placed: after one step of a picosecond.
-    cases.run_deck(folder / "start", "in.fill", bed_variables(aspect, seed, number=number) | {
+    start = cases.run_deck(folder / "start", "in.fill", bed_variables(aspect, seed, number=number) | {
         "dt": "1e-12", "fill_time": "1e-12", "dump_every": 1}, build=build)
-    cases.run_tool("rods_to_multisphere", folder / "start" / "dump.fill", "--spacing", spacing,
-                   "--density", DENSITY, "--out", folder / "peer", build=build)
+    glue = ("--spacing", spacing, "--density", DENSITY, "--out")
+    cases.run_tool("rods_to_multisphere", folder / "start" / "dump.fill", *glue, folder / "peer",
+                   build=build)
     for name in ("peer.bodies", "peer.box"):   # paths from the folder of the run
         path = folder / name
         path.write_text(path.read_text().replace(f"{folder}/", ""))
@@ -156,8 +157,12 @@ def settle_spheres(folder: Path | str, aspect: float, seed: int, spacing: float,
     rods = folder / "dump.rods"
     cases.run_tool("multisphere_to_rods", folder / "dump.bodies", "--out", rods, build=build)
     steps = int(last["Step"])
+    command = " && ".join([
+        f"(cd start && {start.command})",
+        typed(["rods_to_multisphere", "start/dump.fill", *glue, "peer"]), run.command,
+        typed(["multisphere_to_rods", "dump.bodies", "--out", "dump.rods"])])
     return Settled(rods, run.cpu_seconds, run.loop_seconds, steps, steps * step,
-                   steps * step < total_time - 0.011, math.nan, run.command)
+                   steps * step < total_time - 0.011, math.nan, command)
 
 
 def measure(bed: Settled, aspect: float, seed: int, build=None, vessel: float | None = None,

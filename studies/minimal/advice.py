@@ -2,6 +2,7 @@
 """Beds by the decks' default and by what the decks advise (quick 1), and whether they are alike."""
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy
@@ -44,10 +45,11 @@ def default_to_its_end(folder: Path, aspect: float, seed: int, limits: str, numb
     if left <= 0:
         return bed.cpu_seconds, bed
     cases.link_decks(folder, [REST_DECK])
-    both = [cases.run_deck(folder, REST_DECK.name, settling.bed_variables(
-        aspect, seed, limits, number or None) | {"steps": steps}, build=build).cpu_seconds
-        for steps in (1, rest_steps + 1)]
-    return bed.cpu_seconds + left * (both[1] - both[0]) / rest_steps, bed
+    one, more = (cases.run_deck(folder, REST_DECK.name, settling.bed_variables(
+        aspect, seed, limits, number or None) | {"steps": steps}, build=build)
+        for steps in (1, rest_steps + 1))
+    return (bed.cpu_seconds + left * (more.cpu_seconds - one.cpu_seconds) / rest_steps,
+            replace(bed, command=f"{bed.command} && {one.command} && {more.command}"))
 
 
 def seconds(path, aspect: float, seed: int, limits_timed: list[str], turns: int, number: int,

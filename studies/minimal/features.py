@@ -12,7 +12,7 @@ import numpy
 import pandas
 
 from studies.common import cases
-from studies.common.rows import provenance, write_rows
+from studies.common.rows import provenance, typed, write_rows
 
 HERE = Path(__file__).resolve().parent
 DECK = HERE / "in.cost"
@@ -133,14 +133,14 @@ def variables(scene: dict, change: dict, number: int, seed: int, steps: int, sta
             "start": start}
 
 
-def callgrind(folder: Path, program: str, values: dict) -> int:
-    """Instructions of the steps (not of what comes before and after)."""
-    out = folder / "callgrind.out"
-    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}",
+def callgrind(folder: Path, name: str, build, values: dict) -> tuple[int, str]:
+    """Instructions of the steps (not of what comes before and after), and the command as typed."""
+    out, program = folder / "callgrind.out", cases.program_path(name, build)
+    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}",
                "--toggle-collect=LAMMPS_NS::Verlet::run(int)", program, "-in", "in.cost", "-log",
                "log.callgrind"]
-    for name, value in values.items():
-        command += ["-var", name, str(value)]
+    for variable, value in values.items():
+        command += ["-var", variable, str(value)]
     environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
     done = subprocess.run(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
                           capture_output=True, text=True)
@@ -151,7 +151,7 @@ def callgrind(folder: Path, program: str, values: dict) -> int:
     out.unlink()
     if not found or int(found.group(1)) == 0:
         raise cases.CaseError(f"callgrind counted nothing in {folder}")
-    return int(found.group(1))
+    return int(found.group(1)), typed(name if word == program else word for word in command)
 
 
 def megabytes(log: Path) -> float:
@@ -172,16 +172,16 @@ def count(path, name: str, names: list[str], number: int, seed: int, start_steps
         cases.link_decks(folder, [DECK])
         (folder / "features").write_text(commands(scene, change))
         program = change.get("program", "lmp")
-        cases.run_deck(folder, "in.cost", variables(scene, change, number, seed, start_steps, 1),
-                       program=program, build=build, name="start")
+        start = cases.run_deck(folder, "in.cost", variables(scene, change, number, seed, start_steps, 1),
+                               program=program, build=build, name="start")
         values = variables(scene, change, number, seed, counted_steps, 0)
         run = cases.run_deck(folder, "in.cost", values, program=program, build=build, name="memory")
-        instructions = callgrind(folder, cases.program_path(program, build), values)
+        instructions, counting = callgrind(folder, program, build, values)
         result.append({"scene": name, "change": label, "particles": number,
                        "steps": counted_steps,
                        "instructions": instructions / (number * counted_steps),
                        "megabytes": megabytes(run.log),
-                       **provenance(f"valgrind --tool=callgrind {run.command}", seed)})
+                       **provenance(f"{start.command} && {run.command} && {counting}", seed)})
     write_rows(path, result)
 
 
@@ -210,13 +210,24 @@ def time(path, name: str, names: list[str], folder, number: int, seed: int, step
 
 
 def together(counted: list[pandas.DataFrame], timed: list[pandas.DataFrame]) -> pandas.DataFrame:
-    """One table: what each change adds to its scene as it is."""
+    """One table: what each change adds to its scene as it is. Of one plug-in, or it would be compared
+    with another one."""
+    versions = sorted({str(version) for part in (*counted, *timed) for version in part["version"]})
+    if len(versions) > 1:
+        raise cases.CaseError(f"features are compared that are of {len(versions)} versions of the plug-in "
+                              f"({', '.join(versions)}): make all of them anew, with "
+                              "--forcerun feature_counts")
     table = pandas.concat(counted, ignore_index=True)
     first = table.groupby("scene")[["instructions", "megabytes"]].transform("first")
     table["instructions_times"] = table["instructions"] / first["instructions"]
     table["megabytes_more"] = table["megabytes"] - first["megabytes"]
     if timed:
         keep = ["scene", "change", "microseconds", "microseconds_min", "microseconds_max", "times",
-                "turns"]
-        table = table.merge(pandas.concat(timed)[keep], on=["scene", "change"], how="left")
+                "turns", "command", "machine"]
+        table = table.merge(pandas.concat(timed)[keep], on=["scene", "change"], how="left",
+                            suffixes=("", "_timed"))
+        has, also = table["command_timed"].notna(), table["machine_timed"].fillna(table["machine"])
+        table.loc[has, "command"] += " && " + table["command_timed"]
+        table.loc[also != table["machine"], "machine"] += ", timed on " + also
+        table = table.drop(columns=["command_timed", "machine_timed"])
     return table

@@ -186,6 +186,7 @@ def values(results: Path, literature: Path | str, mode: str) -> dict:
         "isotropic_deg": measures.ISOTROPIC_ELEVATION_DEG, "half_contacts": measures.HALF_CONTACTS,
         "horizontal_order": measures.HORIZONTAL_ORDER,
         "published": published.to_dict("records"), "left_out": left_out,
+        "untimed": int(beds["cpu_s"].isna().sum()),
         "versions": words(sorted(beds["version"].unique())),
         "machines": words(sorted(beds["machine"].unique())),
         "decks": words(sorted(beds["decks"].unique())),

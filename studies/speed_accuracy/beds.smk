@@ -9,7 +9,6 @@ from studies.speed_accuracy import beds
 BED_DECK = str(HERE / "in.bed_spheres")
 BED_RUNS = str(RESULTS / "bed_runs.csv")
 BED_PAGE = str(Path(README).with_name("beds.md"))
-BED_ASPECTS = [f"{value:g}" for value in numbers_of("bed_lambdas", 1)]
 
 
 def check_bed(name, case):
@@ -35,6 +34,9 @@ for name, keys in (("bed_rods", OF_RODS), ("bed_spheres", OF_SPHERES)):
 whole_numbers_of("bed_seeds", 1)
 number_of("bed_time", 0.1)
 whole_number_of("bed_number", 0)
+if truth("beds_kept") and not Path(BED_RUNS).exists():
+    refuse(f"beds_kept=1 takes the beds of {BED_RUNS}, which is not there")
+BED_ASPECTS = [f"{value:g}" for value in numbers_of("bed_lambdas", 1)]
 
 
 def bed_jobs():
@@ -51,8 +53,6 @@ def bed_jobs():
 # --config beds_there=1: of the beds that have been made, and none if none has, so that a study that was
 # stopped can be charted; beds_kept=1: the table of beds as it is kept.
 BEDS_THERE = [path for path in (f"beds/{job}.csv" for job in bed_jobs()) if (WORK / path).exists()]
-if truth("beds_kept") and not Path(BED_RUNS).exists():
-    refuse(f"beds_kept=1 takes the beds of {BED_RUNS}, which is not there")
 if Path(BED_RUNS).exists() if KEPT or truth("beds_kept") else BEDS_THERE or not truth("beds_there"):
     BED_ROWS = str(RESULTS / "beds.csv")
 

@@ -222,6 +222,8 @@ def time_again(given: argparse.Namespace) -> pandas.DataFrame:
             table.loc[index, ["cost", "cost_min", "cost_max"]] = (np.median(turns), min(turns),
                                                                   max(turns))
             table.loc[index, "turns"] = len(turns)
+            swept = row["command"].split(" && ")[0]
+            table.loc[index, "command"] = f"{swept} && {given.command}"
     return table
 
 
@@ -249,8 +251,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--turns", type=int, default=3)
     parser.add_argument("--seed", type=int, default=86028121)
     given = parser.parse_args()
-    given.command = (f"sweep.py run {given.scene} {given.aspect:g} --code {given.code} "
-                     f"--copies {given.copies} --spheres {given.spheres}")
+    given.command = common_rows.typed(sys.argv)
     return given
 
 

@@ -196,14 +196,14 @@ def test_stamps_are_of_all_that_a_program_is_made_of():
     for tool in (ROOT / "postproc/tools").glob("*.cpp"):
         draws = tool.stem in ("rod_render", "rod_vtk")
         folders = rows.DRAWING_SOURCES if draws else rows.MEASURING_SOURCES
-        _, sources = cases.made_of(tool.stem)
-        for path in sources - {tool}:
+        for path in cases.made_of(tool.stem)[tool.stem] - {tool}:
             assert any(path.is_relative_to(ROOT / folder) for folder in folders), (tool.stem, path)
-    packing, picture = (cases.made_of(name)[1] for name in ("rod_packing", "rod_render"))
+    packing, picture = (cases.made_of(name)[name] for name in ("rod_packing", "rod_render"))
     assert {ROOT / "postproc/measures/packing_measures.cpp", ROOT / "postproc/io/line_source.cpp",
             ROOT / "postproc/solid/overlap_volume.cpp", ROOT / "src_plugin/core/numbers.h"} <= packing
     assert ROOT / "postproc/pictures/view.cpp" in picture - packing
-    assert ROOT / "src_plugin/core/linear_law.h" in cases.made_of("lmp")[1] - packing  # the plug-in's alone
+    assert ROOT / "src_plugin/core/linear_law.h" in \
+        cases.made_of("lmp")["libspherocylinder.so"] - packing   # of the plug-in alone
 
 
 def test_a_program_older_than_its_sources_is_refused(tmp_path):
@@ -231,6 +231,10 @@ def test_a_program_older_than_its_sources_is_refused(tmp_path):
     assert reason("lmp") == f"{tmp_path}/b/libspherocylinder.so is not there: scripts/build makes it"
     write("b/libspherocylinder.so", "", 20)
     assert reason("lmp").startswith("src_plugin/core/of_the_plugin.h is newer than ")
+    write("b/libspherocylinder.so", "", 40)
+    assert reason("lmp") is None
+    write("src_plugin/loader/lmp.cpp", "", 30)   # which the plug-in is not made of
+    assert reason("lmp").startswith("src_plugin/loader/lmp.cpp is newer than ")
 
 
 def test_numbers_of_pages():

@@ -153,10 +153,24 @@ def test_features_of_a_scene_as_commands():
 def test_changes_against_the_scene_as_it_is():
     counted = pandas.DataFrame([
         {"scene": "gas", "change": "as it is", "instructions": 100.0, "megabytes": 1.0},
-        {"scene": "gas", "change": "cohesion sjkr", "instructions": 150.0, "megabytes": 1.5}])
-    table = features.together([counted], [])
-    assert list(table["instructions_times"]) == [1.0, 1.5]
-    assert list(table["megabytes_more"]) == [0.0, 0.5]
+        {"scene": "gas", "change": "cohesion sjkr", "instructions": 150.0, "megabytes": 1.5}]).assign(
+            command="lmp -in in.cost -log log.memory", version="a", machine="one")
+    timed = counted[["scene", "change", "version", "machine"]].assign(
+        microseconds=2.0, microseconds_min=1.0, microseconds_max=3.0, times=1.0, turns=3,
+        command="lmp -in in.cost -log log.time")
+    for times in ([], [timed]):
+        table = features.together([counted], times)
+        assert list(table["instructions_times"]) == [1.0, 1.5]
+        assert list(table["megabytes_more"]) == [0.0, 0.5]
+    assert (table["command"] == "lmp -in in.cost -log log.memory && lmp -in in.cost -log log.time").all()
+    assert (table["machine"] == "one").all() and "version" in table and len(table) == 2
+    # Timed on another machine: told. Of another plug-in, of a scene or a timing: refused.
+    table = features.together([counted], [timed.assign(machine="two")])
+    assert (table["machine"] == "one, timed on two").all()
+    for counts, times in (([counted, counted.assign(scene="bed", version="b")], [timed]),
+                          ([counted], [timed.assign(version="b")])):
+        with pytest.raises(cases.CaseError, match=r"of 2 versions of the plug-in \(a, b\): make all of them"):
+            features.together(counts, times)
 
 
 # --- Page. ---------------------------------------------------------------------------------------
@@ -187,11 +201,16 @@ def test_the_smallest_run(study, tmp_path):
     assert table.loc[("gas", "all off by name"), "instructions_times"] == pytest.approx(1, abs=1e-3)
     assert table.loc[("gas", "all off by name"), "megabytes_more"] == 0
     assert (table["microseconds"] > 0).all()
+    typed = table.loc[("gas", "as it is"), "command"].split(" && ")
+    assert [re.search(r"-log (\S+)", part).group(1) for part in typed] == \
+        ["log.start", "log.memory", "log.callgrind", "log.time"]
+    assert typed[2].startswith("valgrind --tool=callgrind --callgrind-out-file=callgrind.out ")
     runs = read_rows(results / "fresh_beds.csv")
     assert list(runs["way"]) == ["quick", "quick", "today", "today"]
     assert (runs["rested"] == 1).all() and (runs["version"].nunique() == 1)
     seconds = read_rows(results / "seconds.csv")
     seconds = seconds.set_index("way")
+    assert seconds.loc["full", "command"].count("lmp -in in.rest ") == 2
     assert (seconds["seconds"] >= seconds["seconds_to_rest"]).all()
     assert seconds.loc["quick", "rested_at_s"] <= 3 < 10
     assert "A settled bed in fewer seconds" in (results / "README.md").read_text()

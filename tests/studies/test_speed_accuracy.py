@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """studies/speed_accuracy: the scenes' answers against other ways to them, charts and summary, and the
 smallest run of the graph."""
+import subprocess
+
 import numpy as np
 import pandas
 import pytest
@@ -324,7 +326,7 @@ def test_kept_page_of_beds(tmp_path):
 
 # --- The graph, in its smallest run. -------------------------------------------------------------
 
-def test_smallest_run(study, tmp_path):
+def test_smallest_run(study, tmp_path, programs):
     done = study("speed_accuracy", "smoke=1")
     assert done.returncode == 0, done.stdout
     results = tmp_path / "results"
@@ -338,3 +340,18 @@ def test_smallest_run(study, tmp_path):
     assert sliding["rods"] < 0.01 < 0.1 < sliding["multisphere"]
     for name in ("README.md", "summary.csv", "speed_accuracy.svg", "wall_impulse.png"):
         assert (results / name).exists()
+
+    # A row's command, as typed in the work folder, makes its row again; that of a timed one says so.
+    assert (table["command"].str.contains(" && ") == (table["turns"] > 1)).all()
+    assert table.loc[table["turns"] > 1, "command"].str.contains(r"sweep.py time .* --turns 3 ").all()
+    wall = table[(table["scene"] == "wall") & (table["method"] == "rods")]
+    command = wall["command"].iloc[0].split(" && ")[0].split()
+    places = {"--build": str(programs), "--work": "again", "--out": "again.csv"}
+    words = [places.get(before, word) for before, word in zip(["", *command], command)]
+    done = subprocess.run(["/usr/bin/python3", ROOT / words[0], *words[1:]], cwd=tmp_path)
+    again = rows.read_rows(tmp_path / "again.csv")
+    assert done.returncode == 0 and list(again["error"]) == list(wall["error"])
+    beds_made = rows.read_rows(results / "bed_runs.csv")
+    glued = beds_made.loc[beds_made["method"] == "multisphere", "command"]
+    assert glued.str.match(r"\(cd start && lmp -in in.fill .*\) && rods_to_multisphere .* && liggghts "
+                           r".* && multisphere_to_rods ").all()
