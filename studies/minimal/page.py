@@ -103,7 +103,8 @@ def values(runs, equivalence, seconds, features, bound: float) -> dict:
         "beds": bed_lines(runs), "equivalence": equivalence_lines(equivalence),
         "seconds": second_lines(seconds), "bound": 100 * bound,
         "shown": len(shown), "asked": len(equivalence),
-        "machine": " and ".join(sorted(features["machine"].dropna().unique())),
+        "machine": " and ".join(sorted({machine for table in (runs, seconds, features)
+                                        for machine in table.get("machine", []) if machine == machine})),
         "turns": int(seconds["turns"].iloc[0]) if len(seconds) else 0,
         **deck_settings(),
         "not_rested": int((beds["rested"] == 0).sum()), "quick_beds": len(beds),

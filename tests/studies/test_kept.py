@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the repository keeps of the studies: tables that are there, numbers of the main page and of the templates,
+points of the figures."""
+import re
+
+import numpy as np
+import pytest
+
+from conftest import ROOT, measured_numbers
+from studies.common import plots
+from studies.common.rows import PROVENANCE, read_rows
+from studies.minimal import figures
+from studies.speed_accuracy import chart
+
+RESULTS = {name: ROOT / "studies" / name / "results" for name in ("packing", "minimal", "speed_accuracy")}
+SCENES = RESULTS["speed_accuracy"] / "scenes.csv"
+
+
+@pytest.mark.parametrize("name, tables", [
+    ("packing", ["beds", "elevation", "settings"]),
+    ("minimal", ["fresh_beds", "equivalence", "seconds", "features"]),
+    ("speed_accuracy", ["scenes", "bed_runs", "beds", "summary"])])
+def test_results_are_kept(name, tables):
+    for table in tables:
+        rows = read_rows(RESULTS[name] / f"{table}.csv")
+        assert len(rows)
+        if table not in ("elevation", "settings", "equivalence", "summary"):   # made of rows of the others
+            assert not rows[list(PROVENANCE)].isna().any().any(), table
+
+
+# Of the whole sweep, not of the program that runs it alone.
+def test_commands_of_kept_rows_are_whole():
+    rows = read_rows(SCENES)
+    for option in ("--stiffnesses", "--fractions", "--most-work", "--seed", "--work", "--out"):
+        assert rows["command"].str.contains(f" {option} ").all()
+    assert (rows["command"].str.contains(" && .*sweep.py time .* --turns ") == (rows["turns"] > 1)).all()
+    beds = read_rows(RESULTS["speed_accuracy"] / "bed_runs.csv")
+    glued = beds.loc[beds["method"] == "multisphere", "command"]
+    assert glued.str.contains(" && rods_to_multisphere .* && liggghts ").all()
+    seconds = read_rows(RESULTS["minimal"] / "seconds.csv")
+    counted = seconds[(seconds["way"] == "full") & (seconds["rested_at_s"] < 10)]
+    assert len(counted) and (counted["command"].str.count("in.rest ") == 2).all()
+
+
+NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
+           "twelve", "thirteen", "fourteen"]
+
+
+# "Error against cost in twelve scenes with a known outcome"
+def test_scenes_of_the_main_page():
+    text = " ".join((ROOT / "README.md").read_text().split())
+    word = re.search(r"!\[Error against cost in (\w+) scenes with a known outcome", text).group(1)
+    assert NUMBERS.index(word) == read_rows(SCENES)["scene"].nunique()
+
+
+# What they hold themselves: an interval of 95 %, a gas of 5 %, e = 0.5, errors of 100 % and of the
+# questions asked, a diameter of 0.01 m.
+@pytest.mark.parametrize("name, allowed", [
+    ("README.md.j2", {"95", "5", "0.5", "100", "0.01"}), ("beds.md.j2", {"3"})])
+def test_templates_hold_no_measured_numbers(name, allowed):
+    assert measured_numbers(ROOT / "studies/speed_accuracy" / name) <= allowed
+
+
+@pytest.fixture
+def drawn(monkeypatch):
+    """drawn(draw, *arguments): the panels of the figure that draw saves."""
+    def panels(draw, *arguments):
+        kept = []
+        with monkeypatch.context() as patch:
+            patch.setattr(plots, "save", lambda figure, stem: kept.append(figure))
+            draw(*arguments, "nowhere")
+        return kept[0].axes
+
+    return panels
+
+
+def points_of(panel):
+    """All that is drawn as a point or a corner of a line, in the units of the axes."""
+    lines = [line.get_xydata() for line in panel.lines]
+    dots = [np.asarray(found.get_offsets()) for found in panel.collections
+            if found.get_offset_transform() == panel.transData]
+    return np.vstack([part for part in lines + dots if len(part)])
+
+
+def holds(points, x, y):
+    return np.isclose(points, [x, y], rtol=1e-9, atol=1e-12).all(axis=1).any()
+
+
+def test_points_of_a_chart(drawn):
+    rows = read_rows(SCENES)
+    wall = rows[(rows["scene"] == "wall") & (rows["quantity"] == "impulse")]
+    panels = drawn(chart.chart, wall, "wall", "impulse")
+    shown = wall[wall["error"].between(10 * chart.floor_of(wall), 1, inclusive="left")]
+    for panel, aspect in zip(panels, sorted(wall["lambda"].unique())):
+        here, points = shown[shown["lambda"] == aspect], points_of(panel)
+        assert len(here) > 20
+        for row in here.itertuples():
+            assert holds(points, row.cost, row.error), row
+        assert panel.get_xscale() == panel.get_yscale() == "log"
+
+
+def test_points_of_the_features(drawn):
+    rows = read_rows(RESULTS["minimal"] / "features.csv")
+    panels = drawn(figures.features, rows)
+    for panel, scene in zip(panels, dict.fromkeys(rows["scene"])):
+        here, points = rows[rows["scene"] == scene], points_of(panel)
+        assert [text.get_text() for text in panel.get_yticklabels()] == list(here["change"])
+        for place, row in zip(panel.get_yticks(), here.itertuples()):
+            assert holds(points, row.instructions_times, place), row
+            if "times" in rows:
+                assert holds(points, row.times, place), row
+
+
+def test_points_of_the_equivalence(drawn):
+    rows = read_rows(RESULTS["minimal"] / "equivalence.csv")
+    points = np.vstack([points_of(panel) for panel in drawn(figures.equivalence, rows)])
+    for row in rows.itertuples():
+        assert np.isclose(points[:, 0], 100 * row.difference, rtol=1e-9).any(), row
