@@ -9,6 +9,7 @@ import shlex
 import shutil
 import subprocess
 import tempfile
+import threading
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -91,6 +92,17 @@ def why_not_to_be_run(program: str, build: Path, root: Path = ROOT) -> str | Non
     return None
 
 
+_RUNNING: set[subprocess.Popen] = set()   # decks, each in a thread
+_STOPPED = threading.Event()
+
+
+def stop_all() -> None:
+    """Ends what run_deck runs in other threads; nothing more is begun."""
+    _STOPPED.set()
+    for process in list(_RUNNING):
+        process.kill()
+
+
 def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None,
              program: str = "lmp", ranks: int = 1, build: Path | str | None = None,
              name: str | None = None, under: tuple = ()) -> Run:
@@ -117,14 +129,19 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
         environment["OMPI_MCA_orte_tmpdir_base"] = session
         if ranks == 1:
             environment["OMPI_MCA_ess_singleton_isolated"] = "1"
+        if _STOPPED.is_set():
+            raise CaseError("stopped by a signal")
         process = subprocess.Popen([*spread, *map(str, under), *command], cwd=folder,
                                    env=environment, stdin=subprocess.DEVNULL, stdout=out,
                                    stderr=subprocess.STDOUT)
+        _RUNNING.add(process)
         try:
             _, status, usage = os.wait4(process.pid, 0)
         except BaseException:
             process.kill()
             raise
+        finally:
+            _RUNNING.discard(process)
         process.returncode = os.waitstatus_to_exitcode(status)
     text = screen.read_text(errors="replace")
     typed = shlex.join([program if word == start else word.replace(f"{ROOT}/", "")

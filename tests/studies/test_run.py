@@ -5,11 +5,13 @@ import shutil
 import signal
 import subprocess
 import time
+from concurrent.futures import Future
 
 import pytest
 
 from conftest import ROOT
 from studies.common import rows
+from studies.packing import pour_all
 
 FEW_RODS = "-var rods 60 -var vessel_height 2 -var fill_time 0.7 -var total_time 1.4"
 
@@ -71,8 +73,8 @@ def test_a_case_that_fails_is_named(copy, programs):
               f'exec {programs}/lmp "$@" {FEW_RODS}\n')
     done = run(copy, "--out", copy / "beds", "--jobs", "2")
     assert done.returncode == 1
-    assert "run: lambda10_limits_none_seed86028121 failed; the end of what it said:\n" in done.stderr
-    assert "ERROR: in.rods: friction must be >= 0 (got -1)" in done.stderr
+    assert "run: lambda10_limits_none_seed86028121 failed: ERROR: in.rods: friction must be >= 0 (got -1) " \
+        in done.stderr
     assert done.stderr.endswith("run: failed: lambda10_limits_none_seed86028121\n")
     assert (copy / "beds/lambda10_limits_study_seed86028121/wall_seconds").exists()
     assert not (copy / "beds/lambda10_limits_none_seed86028121/wall_seconds").exists()
@@ -107,6 +109,22 @@ def test_wrong_options(arguments, words):
     assert len(done.stderr.splitlines()) == 1
 
 
+# How far the cases are that run or have ended, of three of which each has 500000 steps.
+def test_progress(tmp_path, capsys, monkeypatch):
+    folders = [tmp_path / name for name in ("a", "b", "c")]
+    for folder, stage, step in ((folders[0], "settle", 500000), (folders[1], "fill", 25000)):
+        folder.mkdir()
+        (folder / f"log.{stage}").write_text(f"Step Atoms\n0 1\n{step} 1\n")
+    jobs = {Future(): folder for folder in folders}
+    first, second, _ = jobs
+    first.set_result(None)
+    second.set_running_or_notify_cancel()
+    monkeypatch.setattr(pour_all.time, "monotonic", lambda: 170.0)
+    pour_all.tell_progress(jobs, 100.0)
+    assert capsys.readouterr().out == \
+        "run: 1 cases to begin, 1 running, 35 % of the steps, 70 s so far, 130 s left\n"
+
+
 def test_scripts_fit_on_a_screen():
     lines = {path.name: len(path.read_text().splitlines()) for path in (ROOT / "scripts").iterdir()}
-    assert sum(lines.values()) < 250, lines
+    assert max(lines.values()) <= 60 and sum(lines.values()) < 250, lines
