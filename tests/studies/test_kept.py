@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the repository keeps of the studies: tables that are there, numbers of the main page and of the templates,
-points of the figures."""
+"""What the repository keeps of the studies: tables that are there, whole commands, numbers of the main page and
+of the templates, points of the figures."""
 import re
 
 import numpy as np
