@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "../program_folder.h"
+
 namespace decks {
 
 namespace {
@@ -38,9 +40,10 @@ bool is_integer_column(const std::string &name)
 
 std::string command_for(const std::string &deck, const Launch &launch)
 {
-  std::string program = launch.program == Program::Lmp ? LMP_PROGRAM : LIGGGHTS_PROGRAM;
+  std::string program =
+      launch.program == Program::Lmp ? program_to_test(LMP_PROGRAM) : LIGGGHTS_PROGRAM;
   if (launch.program == Program::Preloaded)
-    program = fmt::format("env LD_PRELOAD={} {}", SPHEROCYLINDER_LIBRARY, program);
+    program = fmt::format("env LD_PRELOAD={} {}", program_to_test(SPHEROCYLINDER_LIBRARY), program);
   const std::string start =
       launch.ranks == 1
           // KILL: LIGGGHTS takes SIGTERM as a wish to end the run.

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "../program_folder.h"
 #include "manual_page.h"
 
 namespace fs = std::filesystem;
@@ -108,10 +109,10 @@ TEST_P(ManualExample, Runs)
   const std::string surroundings = fs::exists(folder / own) ? own : example.page + ending;
   ASSERT_TRUE(fs::exists(folder / surroundings))
       << "tests/docs/decks wants a file " << surroundings << " for the examples of this page";
-  const std::string program = is_deck ? std::string(LMP_PROGRAM) + " -in " + surroundings
-                                      : "LMP=" LMP_PROGRAM " LIBRARY=" SPHEROCYLINDER_LIBRARY
-                                        " PROJECT=" DOCS_FOLDER "/.. sh -e " +
-                                            surroundings;
+  const std::string program = is_deck ? program_to_test(LMP_PROGRAM) + " -in " + surroundings
+                                      : "LMP=" + program_to_test(LMP_PROGRAM) +
+                                            " LIBRARY=" + program_to_test(SPHEROCYLINDER_LIBRARY) +
+                                            " PROJECT=" DOCS_FOLDER "/.. sh -e " + surroundings;
   const std::string command = "cd " + folder.string() + " && export " + kEnvironment +
                               " && timeout " + std::to_string(kTimeLimit) +
                               (is_deck ? " " : " env ") + program + " > output 2>&1";

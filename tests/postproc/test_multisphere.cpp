@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "../program_folder.h"
 #include "core/numbers.h"
 #include "core/rotation.h"
 #include "io/dump_reader.h"
@@ -116,7 +117,7 @@ class Multisphere : public ScratchFolder {
     const int status = std::system(
         fmt::format("cd '{}' && mkdir -p mpi && export OMPI_MCA_ess_singleton_isolated=1 "
                     "OMPI_MCA_orte_tmpdir_base=$PWD/mpi PATH='{}':\"$PATH\" && {} >out.txt 2>&1",
-                    folder().string(), PROGRAM_FOLDER, command)
+                    folder().string(), program_folder(PROGRAM_FOLDER), command)
             .c_str());
     out_ = read("out.txt");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "../program_folder.h"
 #include "page_examples.h"
 #include "scratch_folder.h"
 #include "test_bed.h"
@@ -16,7 +17,7 @@
 namespace spherocylinder {
 namespace {
 
-const std::string kPrograms = PROGRAM_FOLDER;
+const std::string kPrograms = program_folder(PROGRAM_FOLDER);
 const std::string kDocs = DOCS_FOLDER;
 const std::string kTests = POSTPROC_TESTS_FOLDER;
 
