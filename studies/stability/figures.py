@@ -14,7 +14,7 @@ from studies.common import plots
 from studies.stability import theory
 from studies.stability.states import STATES
 
-NAMES = ("steps", "remedies", "others", "scenes", "slow")
+NAMES = ("map", "steps", "remedies", "others", "scenes", "slow")
 # Told apart by lightness, too, and by a sign: colour blind or in print.
 COLOURS = {"rests": "#CFE8F7", "moves": "#F5E6A8", "jitters": "#E69F00", "passes": "#CC79A7",
            "grows": "#A63603", "lost": "#262626"}
@@ -97,9 +97,12 @@ def grid(number: int, width: float, height: float, columns: int = 2):
 LINES = (("-", "a hit can gain energy"), ("--", "it gains on average"))
 
 
-def draw_steps(beds: pandas.DataFrame, stem: Path) -> None:
-    """λ against the step, a panel a method, with the steps at which hits gain energy."""
+def draw_steps(beds: pandas.DataFrame, stem: Path, only: tuple[str, ...] = ()) -> None:
+    """λ against the step, a panel a method, with the steps at which hits gain energy. `only`: these of
+    the methods."""
     part = beds[beds["map"] == "steps"]
+    if only:
+        part = part[part["method"].isin(only)]
     methods = list(dict.fromkeys(part["method"]))
     figure, panels = grid(len(methods), 165, 46)
     if not methods:
@@ -248,6 +251,7 @@ def draw_slow(slow: pandas.DataFrame, stem: Path) -> None:
 
 
 def draw(tables: dict[str, pandas.DataFrame], folder: Path) -> None:
+    draw_steps(tables["beds"], folder / "map", ("ours", "plain"))
     draw_steps(tables["beds"], folder / "steps")
     draw_remedies(tables["beds"], folder / "remedies")
     draw_others(tables["beds"], folder / "others")

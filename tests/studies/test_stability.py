@@ -246,6 +246,23 @@ def test_the_kept_page_is_that_of_the_kept_tables(kept_page_is_made_again):
     kept_page_is_made_again("stability")
 
 
+@pytest.mark.skipif(not (STUDY / "README.md").exists(), reason="not kept")
+def test_main_page():
+    text = " ".join((ROOT / "README.md").read_text().split())
+    beds = read_rows(STUDY / "results/beds.csv")
+    ours = beds[(beds["map"] == "steps") & (beds["method"] == "ours")]
+    up_to = min(page.stands_up_to(rows) for _, rows in ours.groupby("lambda"))
+    first, last = ours["lambda"].min(), ours["lambda"].max()
+    assert (f"Beds of aspect ratio {first:g} to {last:g} come to rest without any limit on the angular "
+            f"velocity, with steps up to {up_to:g} of the stability limit") in text
+    remedies = beds[beds["map"] == "remedies"]
+    alone = {method: page.stands_up_to(rows) for method, rows in remedies.groupby("method")}
+    assert [m for m in alone if m.startswith("plain+") and alone[m] >= alone["ours"]] == \
+        ["plain+search"]
+    assert alone["plain"] == 0 and "the exact search of contacts" in text
+
+
+
 def test_templates_hold_no_measured_numbers():
     # Of the decks: a fall of 2.5 m into a vessel of 1.25 lengths; e; limits, and π/2 over one.
     assert measured_numbers(STUDY / "README.md.j2") <= {"2.5", "1.25", "0.5", "0.2"}
