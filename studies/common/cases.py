@@ -42,7 +42,9 @@ class Run:
 
 
 def program_path(name: str, build: Path | str | None = None) -> str:
-    """One of ours in `build`, or the stock liggghts of the PATH."""
+    """One of ours in `build`, the stock liggghts of the PATH, or lammps: Debian's, an lmp like ours."""
+    if name == "lammps":
+        return lammps_path()
     if name == "liggghts":
         found = shutil.which(name)
         if not found:
@@ -52,6 +54,19 @@ def program_path(name: str, build: Path | str | None = None) -> str:
     if not path.exists():
         raise CaseError(f"{path} is not there: scripts/build makes it")
     return str(path)
+
+
+def lammps_path() -> str:
+    try:
+        listed = subprocess.run(["dpkg-query", "-L", "lammps"], text=True,
+                                capture_output=True).stdout
+    except FileNotFoundError:
+        listed = ""
+    found = [line for line in listed.splitlines()
+             if line.endswith("/bin/lmp") and Path(line).exists()]
+    if not found:
+        raise CaseError("Debian's package lammps is not there: scripts/setup --studies installs it")
+    return found[0]
 
 
 def with_included(source: Path, folders: list[Path]) -> set[Path]:
