@@ -20,5 +20,13 @@ def values(table: pandas.DataFrame) -> dict:
     def times_slower(scene: str, aspect: int, count: int, spheres: int) -> float:
         return row(scene, aspect, count, 1, f"multisphere n={spheres}")["peer_over_plugin"]
 
-    return {"row": row, "us": us, "times_slower": times_slower,
+    def beside_spheres() -> list[dict]:
+        """The cases of sphere_bed: the row of the rods, and of the spheres of each code."""
+        of_scene = table[(table["scene"] == "sphere_bed") & (table["ranks"] == 1)]
+        return [{"rods": row("sphere_bed", aspect, count),
+                 "codes": [(name, row("sphere_bed", aspect, count, 1, f"sphere {code}"))
+                           for code, name in (("liggghts", "LIGGGHTS"), ("lammps", "LAMMPS"))]}
+                for (aspect, count), _ in of_scene.groupby(["lambda", "rods"])]
+
+    return {"beside_spheres": beside_spheres(), "row": row, "us": us, "times_slower": times_slower,
             "machines": sorted(set(table["machine"]))}

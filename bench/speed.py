@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Whole scenes timed, the plug-in beside rods glued of spheres: how a scene begins, its timed runs in
-turns, its rows, the figure. The Snakefile calls it:
+"""Whole scenes timed, the plug-in beside its peers, rods glued of spheres or as many spheres: how a
+scene begins, its timed runs in turns, its rows, the figure. The Snakefile calls it:
     speed.py start SCENE LAMBDA RODS --settings JSON --build DIR --folder DIR
     speed.py time SCENE LAMBDA RODS RANKS --settings JSON --build DIR --folder DIR --out CSV
+and by hand, to put the cases of one table into another, in the place of those it has of them:
+    speed.py add CSV --to CSV
 """
 from __future__ import annotations
 
@@ -24,6 +26,7 @@ import pandas
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent)]
 
+from bench import one_sphere  # noqa: E402
 from studies.common import cases, plots, rows  # noqa: E402
 
 DIAMETER, DENSITY = 0.01, 2700  # m, kg/m³; those of input/in.rods
@@ -41,14 +44,17 @@ class Scene:
     side: bool = False     # the study's vessel, else periodic
     floor: bool = False
     poured: bool = False   # by in.fill, else from place_rods
+    rests: bool = False    # the rods do, by in.settle, after they were poured
+    spheres: bool = False  # the peers are as many spheres, else glued rods
     settles: bool = False  # glued rods do, before they are timed
     skin: float = 0.8      # of the peer, in diameters: near the fastest of 0.1 to 1.6
 
 
-SCENES = {"bed": Scene(side=True, floor=True, poured=True, settles=True, skin=0.2),
+SCENES = {"bed": Scene(side=True, floor=True, poured=True, rests=True, settles=True, skin=0.2),
           "fill": Scene(side=True, floor=True, poured=True),
           "gas": Scene(), "dilute": Scene(), "dense": Scene(),
-          "periodic_bed": Scene(floor=True, settles=True, skin=0.2)}
+          "periodic_bed": Scene(floor=True, settles=True, skin=0.2),
+          "sphere_bed": Scene(side=True, floor=True, poured=True, rests=True, spheres=True)}
 
 
 def solid(scene: str, aspect: int) -> float:
@@ -58,6 +64,22 @@ def solid(scene: str, aspect: int) -> float:
 def spheres_of(aspect: int, count: int, settings: dict) -> list[int]:
     """Numbers of spheres of the glued rods: they touch, and they overlap by half."""
     return [aspect, 2 * aspect - 1] if count <= settings["largest_peer"] else []
+
+
+def peers_of(scene: str, aspect: int, count: int, settings: dict) -> list[str]:
+    if SCENES[scene].spheres:
+        return list(one_sphere.CODES)
+    return [str(n) for n in spheres_of(aspect, count, settings)]
+
+
+def program_of(code: str) -> str:
+    return {"plugin": "lmp", "lammps": "lammps"}.get(code, "liggghts")
+
+
+def name_of(code: str) -> str:
+    if code in one_sphere.CODES:
+        return f"sphere {code}"
+    return code if code == "plugin" else f"multisphere n={code}"
 
 
 def link_all(folder: Path) -> None:
@@ -81,7 +103,8 @@ def peer_variables(scene: str, aspect: int, count: int, n: int, folder: Path) ->
 
 
 def start(scene: str, aspect: int, count: int, settings: dict, build: Path, folder: Path) -> None:
-    """Leaves what the timed runs begin with: restart.start, restart.peer.N."""
+    """Leaves what the timed runs begin with: restart.start, and of the peers restart.peer.N or
+    spheres.data."""
     s, values = SCENES[scene], variables(scene, aspect, count)
     shutil.rmtree(folder, ignore_errors=True)
     link_all(folder)
@@ -90,13 +113,13 @@ def start(scene: str, aspect: int, count: int, settings: dict, build: Path, fold
         cases.run_deck(folder, f"in.{deck}", {**values, **more}, build=build)
 
     if s.poured:
-        filling = settings["poured"] if scene == "bed" else settings["filling"]
+        filling = settings["poured"] if s.rests else settings["filling"]
         lmp("fill", out=".", fill_time=filling, total_time=settings["rested"], limit_fill=0,
             dump_every=10_000_000, seed=settings["seed"])
-        if scene == "bed":
+        if s.rests:
             cases.run_deck(folder, "in.settle", {"out": ".", "limit_settle": 0,
                                                  "dump_every": 10_000_000}, build=build)
-        lmp("start_bed", **{"from": "restart.settle" if scene == "bed" else "restart.fill"})
+        lmp("start_bed", **{"from": "restart.settle" if s.rests else "restart.fill"})
     else:
         times = max(1, count // MOST_PLACED)
         cases.run_tool("place_rods", "--lambda", aspect, "--solid", solid(scene, aspect),
@@ -105,6 +128,9 @@ def start(scene: str, aspect: int, count: int, settings: dict, build: Path, fold
                        "--out", folder / "gas.data", build=build)
         lmp("start_gas", seconds=settings["fallen"] if s.floor else 0)
         (folder / "gas.data").unlink()
+    if s.spheres:
+        one_sphere.settle(folder, count, settings)
+        return
     for n in spheres_of(aspect, count, settings):
         prefix = f"peer.{n}"
         # Above a bed and beside its vessel the box is cut off: bins there cost memory and time.
@@ -153,13 +179,17 @@ def checksum(dump: Path) -> float:
 
 def time_once(code: str, scene: str, aspect: int, count: int, ranks: int, settings: dict,
               build: Path, folder: Path) -> dict:
-    """One timed run of "plugin" or of a number of spheres."""
+    """One timed run of "plugin", of a code for spheres, or of a number of spheres a rod."""
     own, peers = settings["steps"][scene]
     peak = folder / "peak"
     if code == "plugin":
         run = cases.run_deck(folder, "in.time_plugin",
                              {**variables(scene, aspect, count), "steps": own}, ranks=ranks,
                              build=build, under=measured(peak))
+    elif code in one_sphere.CODES:
+        run = cases.run_deck(folder, "in.time_one_sphere",
+                             {**one_sphere.variables(code, count, settings), "steps": peers},
+                             program=code, ranks=ranks, under=measured(peak), name=f"time_{code}")
     else:
         run = cases.run_deck(folder, "in.time_spheres",
                              {**peer_variables(scene, aspect, count, int(code), folder),
@@ -172,6 +202,8 @@ def time_once(code: str, scene: str, aspect: int, count: int, ranks: int, settin
               "checksum": checksum(folder / "dump.final"), "contacts": math.nan}
     if code == "plugin":
         result["contacts"] = float(cases.read_log(run.log)[0]["contacts"].iloc[-1])
+    elif code in one_sphere.CODES:
+        result["contacts"] = one_sphere.contacts(run.log)
     (folder / "dump.final").unlink()
     return result
 
@@ -184,10 +216,10 @@ def rows_of(runs: dict[str, list[dict]], scene: str, aspect: int, count: int, ra
         us = [1e6 * r["seconds"] / r["steps"] / count for r in of_code]
         own = [1e6 * r["seconds"] / r["steps"] / count for r in runs["plugin"]]
         last = of_code[-1]
-        idle_of_code = idle["lmp" if code == "plugin" else "liggghts"] * ranks
+        idle_of_code = idle[program_of(code)] * ranks
         result.append({
             "scene": scene, "lambda": aspect, "rods": count, "ranks": ranks,
-            "steps": last["steps"], "code": "plugin" if code == "plugin" else f"multisphere n={code}",
+            "steps": last["steps"], "code": name_of(code),
             "us_per_rod_and_step": f"{numpy.median(us):.4g}", "us_min": f"{min(us):.4g}",
             "us_max": f"{max(us):.4g}",
             # Of each turn, then the median: what slows the machine for a while slows both.
@@ -203,8 +235,8 @@ def time_case(scene: str, aspect: int, count: int, ranks: int, settings: dict, b
               folder: Path) -> list[dict]:
     link_all(folder)
     load = os.getloadavg()[0]
-    codes = ["plugin", *map(str, spheres_of(aspect, count, settings))]
-    idle = {program: idle_kB(program, build, folder) for program in ("lmp", "liggghts")}
+    codes = ["plugin", *peers_of(scene, aspect, count, settings)]
+    idle = {program: idle_kB(program, build, folder) for program in set(map(program_of, codes))}
     runs: dict[str, list[dict]] = {code: [] for code in codes}
     for _ in range(settings["turns"]):
         for code in codes:
@@ -212,6 +244,25 @@ def time_case(scene: str, aspect: int, count: int, ranks: int, settings: dict, b
                 time_once(code, scene, aspect, count, ranks, settings, build, folder))
     table = rows_of(runs, scene, aspect, count, ranks, idle, load)
     return [{**row, **rows.provenance(row["command"], settings["seed"])} for row in table]
+
+
+def add_rows(part: Path, table: Path) -> None:
+    """Puts the rows of `part` into `table`, in the place of those of the same cases; what else is
+    there stays as it is written."""
+    texts = []
+    for path in (table, part):
+        if not path.exists():
+            raise cases.CaseError(f"{path} is not there")
+        texts.append(pandas.read_csv(path, dtype=str, keep_default_na=False))
+    kept, new = texts
+    if list(kept.columns) != list(new.columns):
+        raise cases.CaseError(f"{part} and {table} have other columns")
+    timed = set(new[ORDER].itertuples(index=False, name=None))
+    others = [case not in timed for case in kept[ORDER].itertuples(index=False, name=None)]
+    both = pandas.concat([kept[others], new])
+    rows.write_rows(table, both.sort_values(
+        ORDER, kind="stable",
+        key=lambda column: column if column.name == "scene" else column.astype(int)))
 
 
 def figure(table: pandas.DataFrame, stem: Path | str) -> None:
@@ -261,7 +312,16 @@ def main() -> None:
         command.add_argument("--folder", type=Path, required=True)
         if name == "time":
             command.add_argument("--out", type=Path, required=True)
+    command = commands.add_parser("add")
+    command.add_argument("part", type=Path)
+    command.add_argument("--to", type=Path, required=True)
     given = parser.parse_args()
+    if given.work == "add":
+        try:
+            add_rows(given.part, given.to)
+        except cases.CaseError as error:
+            sys.exit(f"speed.py: {error}")
+        return
     try:
         if given.work == "start":
             start(given.scene, given.aspect, given.rods, given.settings, given.build, given.folder)

@@ -4,10 +4,12 @@ import math
 import re
 from pathlib import Path
 
+import numpy
+import pandas
 import pytest
 
-from bench import page, speed
-from studies.common import pages
+from bench import one_sphere, page, speed
+from studies.common import cases, pages
 from studies.common.rows import PROVENANCE, read_rows
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -59,7 +61,7 @@ def test_solid_parts():
 
 # From end to end; a second time nothing is timed again.
 def test_smallest_run(study, tmp_path):
-    done = study("bench/", "smoke=1", "scenes=[bed,gas]")
+    done = study("bench/", "smoke=1", "scenes=[bed,gas,sphere_bed]")
     assert done.returncode == 0, done.stdout
     table = read_rows(tmp_path / "results" / "speed.csv")
     assert list(table.columns) == speed.COLUMNS + list(PROVENANCE)
@@ -67,7 +69,8 @@ def test_smallest_run(study, tmp_path):
     assert cases == [["bed", 10, 20, 1, code] for code in
                      ("plugin", "multisphere n=10", "multisphere n=19")] + \
         [["gas", 5, 80, ranks, code] for ranks in (1, 2) for code in
-         ("plugin", "multisphere n=5", "multisphere n=9")] + [["gas", 5, 160, 1, "plugin"]]
+         ("plugin", "multisphere n=5", "multisphere n=9")] + [["gas", 5, 160, 1, "plugin"]] + \
+        [["sphere_bed", 10, 30, 1, code] for code in ("plugin", "sphere liggghts", "sphere lammps")]
     assert (table["us_min"] <= table["us_per_rod_and_step"]).all()
     assert (table["us_per_rod_and_step"] <= table["us_max"]).all()
     assert (table["us_min"] > 0).all()
@@ -81,12 +84,26 @@ def test_smallest_run(study, tmp_path):
     assert set(table["seed"]) == {86028121}
     assert (tmp_path / "results" / "speed.svg").stat().st_size > 1000
 
-    again = study("bench/", "smoke=1", "scenes=[bed,gas]")
+    # The two codes read the same bed, which is at rest: no sphere moves, all touch alike.
+    spheres = table[table["code"].str.startswith("sphere ")]
+    assert spheres["checksum"].max() - spheres["checksum"].min() < 1e-6
+    assert spheres["contacts_per_rod"].nunique() == 1
+    assert 3 < spheres["contacts_per_rod"].iloc[0] < 6
+
+    again = study("bench/", "smoke=1", "scenes=[bed,gas,sphere_bed]")
     assert again.returncode == 0 and "Nothing to be done" in again.stdout, again.stdout
 
 
 @pytest.mark.parametrize("settings, sentence", [
-    (["scenes=[bad]"], "bench: scenes must be of bed, fill, gas, dilute, dense, periodic_bed (got 'bad')"),
+    (["scenes=[bad]"], "bench: scenes must be of bed, fill, gas, dilute, dense, periodic_bed, sphere_bed "
+     "(got 'bad')"),
+    (["sphere_gravity=0"], "bench: sphere_gravity must be a number >= 1 (got 0)"),
+    (["sphere_settled=long"], "bench: sphere_settled must be a number >= 0 (got long)"),
+    (["sphere_skin=0.1"], "bench: sphere_skin must be a number for each of liggghts, lammps (got 0.1)"),
+    (["sphere_skin={liggghts: 0.1}"],
+     "bench: sphere_skin must be a number for each of liggghts, lammps (got {'liggghts': 0.1})"),
+    (["sphere_skin={liggghts: 0.1, lammps: 0}"],
+     "bench: sphere_skin of lammps must be a number >= 0.01 (got 0)"),
     (["turns=0"], "bench: turns must be a whole number > 0 (got 0)"),
     (["cases={bed: [[10,500]]}"], "bench: a case must be [lambda, rods, ranks]"),
     (["cases={bed: []}", "scenes=[bed]"], "bench: there are no cases of these scenes"),
@@ -94,6 +111,70 @@ def test_smallest_run(study, tmp_path):
 def test_wrong_settings(study, settings, sentence):
     done = study("bench/", *settings, targets=["-n"])
     assert done.returncode != 0 and sentence in done.stdout, done.stdout
+
+
+# Placed clear of the vessel and of each other: every distance against all others.
+def test_spheres_are_placed_clear():
+    count = 60
+    centres = one_sphere.placed(count, 7)
+    reach = (one_sphere.vessel_diameter(count) - one_sphere.DIAMETER) / 2
+    assert (centres[:, 0]**2 + centres[:, 1]**2 <= reach**2).all()
+    assert (centres[:, 2] >= one_sphere.DIAMETER / 2).all()
+    apart = ((centres[:, None] - centres[None])**2).sum(axis=2)[~numpy.eye(count, dtype=bool)]
+    assert (apart > one_sphere.DIAMETER**2).all()
+
+
+def test_debians_lammps_is_missed_in_a_sentence(monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(cases.CaseError, match="package lammps is not there: scripts/setup --studies"):
+        cases.program_path("lammps")
+
+
+CASE_HEAD = "scene,rods,ranks,lambda,code,us,machine\n"
+
+
+# Cases of the part replace those of the table, other cases keep every digit and quote.
+def test_adding_a_part_to_a_table(tmp_path):
+    table, part = tmp_path / "kept.csv", tmp_path / "part.csv"
+    kept = ['bed,500,1,10,plugin,0.27720000000001,"a, b"', "gas,2000,1,30,plugin,0.30,m",
+            "gas,20000,1,3,plugin,,m"]
+    table.write_text(CASE_HEAD + "\n".join(kept) + "\n")
+    new = ["sphere_bed,500,1,10,plugin,0.1,m", "sphere_bed,500,1,10,sphere lammps,0.2,m",
+           "gas,2000,1,30,plugin,0.4,m"]
+    part.write_text(CASE_HEAD + "\n".join(new) + "\n")
+    for _ in range(2):
+        speed.add_rows(part, table)
+        expected = [kept[0], new[2], kept[2], new[0], new[1]]
+        assert table.read_text() == CASE_HEAD + "\n".join(expected) + "\n"
+    part.write_text("scene,rods,ranks,lambda\n")
+    with pytest.raises(cases.CaseError, match="have other columns"):
+        speed.add_rows(part, table)
+    with pytest.raises(cases.CaseError, match="none.csv is not there"):
+        speed.add_rows(tmp_path / "none.csv", table)
+
+
+# A rod beside spheres is told where the table has such rows, with their numbers, and only there.
+def test_page_tells_of_spheres_where_they_were_timed(tmp_path):
+    table = read_rows(KEPT)
+    table = table[table["scene"] != "sphere_bed"]
+    out = tmp_path / "README.md"
+    pages.render(ROOT / "bench" / "README.md.j2", out, page.values(table))
+    assert "price of a sphere" not in out.read_text()
+
+    codes = [("plugin", 0.212, 5.98, 1), ("sphere liggghts", 0.363, 5.69, 1.71),
+             ("sphere lammps", 0.171, 5.69, 0.81)]
+    rows = [{**table.iloc[0].to_dict(), "scene": "sphere_bed", "lambda": aspect, "rods": count,
+             "code": code, "us_per_rod_and_step": us, "contacts_per_rod": contacts,
+             "peer_over_plugin": ratio}
+            for aspect, count in ((10, 500), (30, 700)) for code, us, contacts, ratio in codes]
+    pages.render(ROOT / "bench" / "README.md.j2", out,
+                 page.values(pandas.concat([table, pandas.DataFrame(rows)], ignore_index=True)))
+    section = out.read_text().split("### A rod for the price of a sphere")[1].split("## Post")[0]
+    assert [line for line in section.splitlines() if line.startswith("|")][2:] == [
+        "| 500 rods, λ = 10 | 0.21 | 6.0 | 1 |", "| 500 spheres, LIGGGHTS | 0.36 | 5.7 | 1.7 |",
+        "| 500 spheres, LAMMPS | 0.17 | 5.7 | 0.81 |",
+        "| 700 rods, λ = 30 | 0.21 | 6.0 | 1 |", "| 700 spheres, LIGGGHTS | 0.36 | 5.7 | 1.7 |",
+        "| 700 spheres, LAMMPS | 0.17 | 5.7 | 0.81 |"]
 
 
 # The page holds what its table does.
