@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Settled beds: poured and settled until they rest by both codes from the same poses, a job a bed,
 # measured by the same programs.
+from collections import Counter
 from types import SimpleNamespace
 
 from studies.common import settling
@@ -39,20 +40,14 @@ if truth("beds_kept") and not Path(BED_RUNS).exists():
 BED_ASPECTS = [f"{value:g}" for value in numbers_of("bed_lambdas", 1)]
 
 
-def bed_jobs():
-    """Names of all beds, those of most worth for their time first."""
-    rods = [config["bed_reference"], *(config["bed_rods"] or [])]
-    names = [f"rods_{c['rule']}_k{c['stiffness']:g}_f{c['fraction']:g}" for c in rods]
-    spheres = list(config["bed_spheres"] or [])
-    names += [f"spheres_{c['spacing']:g}r_c{c['contacts']:g}_f{c['fraction']:g}" for c in spheres]
-    return [f"{aspect}_{name}_s{seed}" for k, seed in enumerate(values_of("bed_seeds"))
-            for aspect in BED_ASPECTS for name, case in zip(names, rods + spheres)
-            if k < int(case["seeds"]) and float(aspect) in case.get("lambdas", [float(aspect)])]
+# Names of all beds, and how many of each case.
+BED_JOBS = beds.jobs(config, BED_ASPECTS, values_of("bed_seeds"))
+BEDS_PLANNED = Counter(case for _, case in BED_JOBS)
 
 
 # --config beds_there=1: of the beds that have been made, and none if none has, so that a study that was
 # stopped can be charted; beds_kept=1: the table of beds as it is kept.
-BEDS_THERE = [path for path in (f"beds/{job}.csv" for job in bed_jobs()) if (WORK / path).exists()]
+BEDS_THERE = [path for path in (f"beds/{job}.csv" for job, _ in BED_JOBS) if (WORK / path).exists()]
 if Path(BED_RUNS).exists() if KEPT or truth("beds_kept") else BEDS_THERE or not truth("beds_there"):
     BED_ROWS = str(RESULTS / "beds.csv")
 
@@ -87,7 +82,7 @@ if not KEPT:
     if not truth("beds_kept"):
 
         rule bed_runs:
-            input: BEDS_THERE if truth("beds_there") else expand("beds/{job}.csv", job=bed_jobs())
+            input: BEDS_THERE if truth("beds_there") else [f"beds/{job}.csv" for job, _ in BED_JOBS]
             output: BED_RUNS
             run:
                 rows.collect(input, output[0], by=[*beds.CASE, "divided_by", "seed"])
@@ -108,4 +103,5 @@ if "BED_ROWS" in globals():
         run:
             pages.render(input.template, output[0], beds.page_values(
                 rows.read_rows(BED_RUNS), rows.read_rows(BED_ROWS), config["bed_reference"],
-                "" if Path(README).parent == RESULTS else os.path.relpath(RESULTS, HERE) + "/"))
+                "" if Path(README).parent == RESULTS else os.path.relpath(RESULTS, HERE) + "/",
+                BEDS_PLANNED, float(config["bed_time"])))

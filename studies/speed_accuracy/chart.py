@@ -4,16 +4,18 @@ method reaches an error at the least cost.
 
 Rows: scene, lambda, method ("rods" or "multisphere"), n, rule, stiffness, time_step_over_limit, cost,
 cost_min, cost_max, error, error_low, error_high, quantity; errors relative, costs in core seconds a
-simulated second (beds: see their page). The same for the scenes and the settled beds.
+simulated second (beds: see their page). The same for the scenes and the settled beds; rows of beds have
+as well `beds`, their number, and `cost_is_least`, 1 where they were ended before they were at rest.
 """
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pandas
-from matplotlib.ticker import NullFormatter
+from matplotlib import patheffects
+from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from studies.common import plots
 from studies.common.pages import power
@@ -22,6 +24,10 @@ from studies.common.statistics import pareto_front
 
 LEVELS = (0.10, 0.03, 0.01, 0.003)
 BED_LEVELS = (0.10, 0.03)  # a bed scatters by 2 to 4 % with its seed
+FEWEST_BEDS = 3            # of a case that may be the answer to a question
+# A method has reached a floor where FEWEST_CASES or more of it were run and those of at most a third of the
+# largest cost are within a quarter of its least error.
+FEWEST_CASES, FLOOR_COST, FLOOR_ERROR = 20, 1 / 3, 1.25
 TITLES = {"wall": "one end hits a floor", "crossed": "two crossed rods",
           "flat": "flat on a floor", "parallel": "along a parallel rod",
           "row": "across a row of rods", "slide_along": "sliding in a groove of rods",
@@ -29,13 +35,14 @@ TITLES = {"wall": "one end hits a floor", "crossed": "two crossed rods",
           "rolling": "rolling on two rods", "spin_down": "spinning down on two rods",
           "precession": "free precession, 100 turns", "gas": "elastic gas", "bed": "settled bed"}
 QUANTITIES = {"impulse": "impulse", "friction": "impulse of friction", "speed": "final speed",
-              "angle": "angle turned", "phase": "phase (turns)", "energy": "energy",
+              "angle": "angle turned", "phase": "phase, of one turn", "energy": "energy",
               "inner": "V_f, inner cylinder", "whole": "V_f, whole vessel",
               "elevation": "mean elevation", "contacts": "contacts a rod"}
 # The spacings of glued spheres, widest first, whatever n that makes.
 SPHERE_COLOURS = ["orange", "vermilion", "purple", "black"]
 SPHERE_MARKERS = ["s", "D", "^", "v"]
 ROD_COLOUR = "blue"
+POINTS = 72 / 25.4  # a mm
 
 
 def read(paths) -> pandas.DataFrame:
@@ -74,23 +81,32 @@ def standing(rows: pandas.DataFrame) -> pandas.DataFrame:
     return rows[(rows["error"] < 1.0) & (rows["cost"] > 0.0)]
 
 
-@dataclass(frozen=True)
-class Best:
-    cost: float
-    error: float
-    n: int
-    rule: str
+def answer(rows: pandas.DataFrame, method: str, level: float) -> tuple[str, pandas.Series | None]:
+    """"reached", with the cheapest case of a method that has an error of at most `level`; "not reached"; or
+    "not resolved". Of beds, whose error is a bias of few seeds, the error with its standard error must be
+    below the level, and FEWEST_BEDS be there; where only the error without it is, or beds are too few,
+    nothing is resolved."""
+    here = rows[rows["method"] == method]
+    beds = here["scene"].map(is_bed).astype(bool)
+    enough = ~beds | (here.get("beds", FEWEST_BEDS) >= FEWEST_BEDS)
+    good = here[enough & (here["error_high"].where(beds, here["error"]) <= level)]
+    if len(good):
+        return "reached", good.loc[good["cost"].idxmin()]
+    return ("not resolved" if len(open_cases(here, level)) else "not reached"), None
 
 
-def cheapest(rows: pandas.DataFrame, method: str, level: float) -> Best | None:
-    """The cheapest case of a method with an error of at most `level`; of a bed, whose error is a
-    bias of few seeds, with its standard error."""
-    error = rows["error_high"].where(rows["scene"].map(is_bed), rows["error"])
-    good = rows[(rows["method"] == method) & (error <= level)]
-    if good.empty:
-        return None
-    row = good.loc[good["cost"].idxmin()]
-    return Best(float(row["cost"]), float(row["error"]), int(row["n"]), str(row["rule"]))
+def open_cases(rows: pandas.DataFrame, level: float) -> pandas.DataFrame:
+    """Beds that may be below the level or not: by their standard error, or as they are too few."""
+    beds = rows["scene"].map(is_bed).astype(bool)
+    few = rows.get("beds", pandas.Series(FEWEST_BEDS, index=rows.index)) < FEWEST_BEDS
+    return rows[beds & (rows["error_low"] <= level) & (few | (rows["error_high"] > level))]
+
+
+def at_floor(rows: pandas.DataFrame) -> bool:
+    """Whether more cost no longer lowers the error of a method's cases."""
+    cheap = rows[rows["cost"] <= FLOOR_COST * rows["cost"].max()]
+    return len(rows) >= FEWEST_CASES and bool(
+        cheap["error"].min() <= FLOOR_ERROR * rows["error"].min())
 
 
 def summary(rows: pandas.DataFrame) -> pandas.DataFrame:
@@ -101,28 +117,43 @@ def summary(rows: pandas.DataFrame) -> pandas.DataFrame:
         part = standing(rows[(rows["scene"] == scene) & (rows["quantity"] == quantity)])
         for aspect in sorted(part["lambda"].unique()):
             here = part[part["lambda"] == aspect]
-            least = {m: here.loc[here["method"] == m, "error"].min()
-                     for m in ("rods", "multisphere")}
-            for level in levels_of(scene):
-                ours, theirs = (cheapest(here, m, level) for m in ("rods", "multisphere"))
-                row = {"scene": scene, "quantity": quantity, "lambda": aspect, "error": level}
-                for name, best in (("rods", ours), ("multisphere", theirs)):
-                    row |= {f"{name}_cost": best.cost if best else np.nan,
-                            f"{name}_rule": best.rule if best else "",
-                            f"{name}_least_error": least[name]}
-                row["multisphere_n"] = theirs.n if theirs else 0
-                row["rods_are_cheaper"] = theirs.cost / ours.cost if ours and theirs else np.nan
-                row["cheapest"] = verdict(ours, theirs)
-                result.append(row)
+            result += [answers(here, level) | {"lambda": aspect} for level in levels_of(scene)]
     return pandas.DataFrame(result)
 
 
-def verdict(ours: Best | None, theirs: Best | None) -> str:
-    if ours is None and theirs is None:
-        return "neither"
-    if ours is None or (theirs is not None and theirs.cost < ours.cost):
-        return "multisphere"
-    return "rods"
+def answers(here: pandas.DataFrame, level: float) -> dict:
+    """The row of the summary of one scene, quantity and aspect ratio for an error."""
+    row = {"scene": here["scene"].iloc[0], "quantity": here["quantity"].iloc[0], "lambda": 0.0,
+           "error": level}
+    found = {}
+    for name in ("rods", "multisphere"):
+        cases = here[here["method"] == name]
+        state, best = answer(here, name, level)
+        found[name] = (state, best)
+        row |= {f"{name}_state": state, f"{name}_cost": np.nan if best is None else best["cost"],
+                f"{name}_rule": "" if best is None else best["rule"],
+                f"{name}_least_error": cases["error"].min(), f"{name}_cases": len(cases),
+                f"{name}_cost_is_least": 0 if best is None else int(best.get("cost_is_least", 0) == 1)}
+    ours, theirs = (best for _, best in found.values())
+    row["multisphere_n"] = 0 if theirs is None else int(theirs["n"])
+    row["multisphere_at_floor"] = int(at_floor(here[here["method"] == "multisphere"])
+                                      and not is_bed(row["scene"]))
+    row["rods_are_cheaper"] = np.nan if ours is None or theirs is None \
+        else theirs["cost"] / ours["cost"]
+    row["cheapest"] = verdict(here, level, found)
+    return row
+
+
+def verdict(here: pandas.DataFrame, level: float, found: dict) -> str:
+    """The method that is cheapest; not resolved if what is open could be cheaper still."""
+    costs = {m: best["cost"] for m, (_, best) in found.items() if best is not None}
+    open_ = {m: open_cases(here[here["method"] == m], level)["cost"].min() for m in found}
+    if not costs:
+        return "not resolved" if any(state == "not resolved" for state, _ in found.values()) \
+            else "neither"
+    first = min(costs, key=lambda m: costs[m])
+    other = next(m for m in found if m != first)
+    return "not resolved" if open_[other] < costs[first] else first
 
 
 def times(ratio: float) -> str:
@@ -132,17 +163,33 @@ def times(ratio: float) -> str:
     return f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
 
 
+def ratio_of(ratio: float, ours_cut, theirs_cut) -> str:
+    """How many times, with ≥ where the dearer one was ended before it was at rest, ≤ where the cheaper one
+    was, and ≈ where both were, after the same time."""
+    sign = {(0, 1): "≥ ", (1, 0): "≤ ", (1, 1): "≈ "}.get((int(ours_cut), int(theirs_cut)), "")
+    return sign + times(ratio)
+
+
 def words(row) -> str:
     """What the summary says of one error, for a table."""
-    if row["cheapest"] == "neither":
-        return "neither"
-    if row["cheapest"] == "multisphere":
-        if not np.isfinite(row["rods_are_cheaper"]):
-            return f"only spheres, n = {row['multisphere_n']:.0f}"
-        return f"spheres, n = {row['multisphere_n']:.0f}, {times(1.0 / row['rods_are_cheaper'])} ×"
-    if not np.isfinite(row["rods_are_cheaper"]):
-        return "only rods"
-    return f"rods {times(row['rods_are_cheaper'])} × (n = {row['multisphere_n']:.0f})"
+    states = row["rods_state"], row["multisphere_state"]
+    spheres = f"n = {row['multisphere_n']:.0f}"
+    if states == ("reached", "reached"):
+        cuts = row["rods_cost_is_least"], row["multisphere_cost_is_least"]
+        if row["rods_are_cheaper"] >= 1.0:
+            text = f"rods {ratio_of(row['rods_are_cheaper'], *cuts)} × ({spheres})"
+        else:
+            text = f"spheres, {spheres}, {ratio_of(1.0 / row['rods_are_cheaper'], *cuts[::-1])} ×"
+        return text if row["cheapest"] != "not resolved" else f"{text}, not resolved"
+    if states[0] == "reached":
+        if states[1] == "not resolved":
+            return "rods; spheres not resolved"
+        return "only rods" if row["multisphere_at_floor"] or is_bed(row["scene"]) \
+            else "only rods so far"
+    if states[1] == "reached":
+        return f"spheres, {spheres}; rods not resolved" if states[0] == "not resolved" \
+            else f"only spheres, {spheres}"
+    return "not resolved" if "not resolved" in states else "neither"
 
 
 def percent(value: float) -> str:
@@ -189,72 +236,139 @@ def style_of(method: str, n: int, rule: str, aspect: float) -> dict:
             "markerfacecolor": colour if full else "none", "markeredgewidth": 0.8}
 
 
-def draw_front(axes, rows: pandas.DataFrame, method: str, label: bool, floor: float) -> None:
-    """The front of a method as a stair: what is reached at a cost."""
+def draw_front(axes, rows: pandas.DataFrame, method: str) -> list[tuple[str, float, float, str]]:
+    """The front of a method as a stair: what is reached at a cost. Gives the labels of its points."""
     part = rows[rows["method"] == method]
     if part.empty:
-        return
+        return []
     front = part.iloc[pareto_front(part["cost"], part["error"])]
     colour = plots.COLOURS[ROD_COLOUR if method == "rods" else "vermilion"]
-    axes.step(front["cost"], np.maximum(front["error"], floor), where="post", color=colour,
+    axes.step(front["cost"], np.maximum(front["error"], 1e-30), where="post", color=colour,
               linewidth=1.6, alpha=0.75, linestyle="-" if method == "rods" else (0, (5, 2)), zorder=2)
-    if not label:
-        return
-    named = set()
+    named: dict[str, tuple] = {}
     for _, row in front.iterrows():
         name = "rods" if method == "rods" else f"n={row['n']:.0f}"
-        if name not in named:
-            axes.annotate(name, (row["cost"], max(row["error"], floor)), xytext=(3, 3),
-                          textcoords="offset points", fontsize=6.5,
-                          color=plots.for_letters(colour))
-        named.add(name)
+        named.setdefault(name, (name, row["cost"], row["error"], plots.for_letters(colour)))
+    return list(named.values())
 
 
-def draw_panel(axes, rows: pandas.DataFrame, aspect: float, *, points: bool = True,
-               label: bool = True, floor: float = 1e-5, room: float = 1.0) -> None:
-    """Error against cost of one scene and aspect ratio. Errors below `floor` are drawn at it; the axis
-    ends at `room` times 150 %."""
+def places_of(x, y, limits, size) -> np.ndarray:
+    """Points of the paper, from the panel's lower left corner, of values on log axes."""
+    (left, right), (low, high) = limits
+    return np.stack([size[0] * np.log(np.asarray(x) / left) / np.log(right / left),
+                     size[1] * np.log(np.asarray(y) / low) / np.log(high / low)], axis=-1)
+
+
+def draw_labels(axes, labels, rows: pandas.DataFrame, size) -> None:
+    """Labels where they cover fewest points, no other label and nothing outside. size: of the panel, in
+    points."""
+    limits, letters = (axes.get_xlim(), axes.get_ylim()), 6.5
+    low = limits[1][0]
+    others = places_of(rows["cost"], np.maximum(rows["error"], low), limits, size)
+    below = others[rows["error"].to_numpy() < low]   # arrows, which are longer than points
+    others = np.concatenate([others, below + [0.0, 5.0], below + [0.0, 10.0]])
+    taken: list[np.ndarray] = []
+    for name, cost, error, colour in labels:
+        at = places_of(cost, max(error, low), limits, size)
+        box = np.array([0.72 * letters * len(name), 1.1 * letters])
+        best = None
+        for away in (5.0, 10.0, 15.0, 20.0):
+            for across, up in ((1, 1), (-1, 1), (1, -1), (-1, -1), (0, 1), (0, -1), (1, 0), (-1, 0)):
+                middle = at + np.array([across, up]) * (0.5 * box + (away if 0 in (across, up)
+                                                                      else 0.6 * away))
+                corner = middle - 0.5 * box
+                outside = np.any(corner < 1) or np.any(corner + box > np.array(size) - 1)
+                on_label = any(np.all(np.abs(middle - m) < box) for m in taken)
+                hidden = np.sum(np.all(np.abs(others - middle) < 0.5 * box + 2.0, axis=1))
+                score = 1000 * outside + 200 * on_label + 10 * hidden + 1.2 * away + 0.1 * (up < 0)
+                if best is None or score < best[0]:
+                    best = (score, middle)
+        taken.append(best[1])
+        text = axes.annotate(name, (cost, max(error, low)), xytext=tuple(best[1] - at),
+                             textcoords="offset points", fontsize=letters, color=colour, ha="center",
+                             va="center", zorder=6, annotation_clip=False)
+        text.set_path_effects([patheffects.withStroke(linewidth=1.8, foreground="white")])
+
+
+def draw_arrows(axes, rows: pandas.DataFrame, aspect: float, low: float) -> None:
+    """Down from the edge where an error is below the axis; to the right where a cost is a lower bound."""
+    for _, row in rows.iterrows():
+        colour = style_of(row["method"], int(row["n"]), row["rule"], aspect)["color"]
+        props = {"arrowstyle": "->", "color": colour, "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0}
+        if row["error"] < low:
+            axes.annotate("", (row["cost"], low), xytext=(0, 11), textcoords="offset points",
+                          arrowprops=props)
+        elif row.get("cost_is_least", 0) == 1:
+            axes.annotate("", (row["cost"], row["error"]), xytext=(12, 0),
+                          textcoords="offset points", arrowprops=props | {"arrowstyle": "<-"})
+
+
+def draw_panel(axes, rows: pandas.DataFrame, aspect: float, *, size: tuple[float, float],
+               low: float = 1e-5) -> None:
+    """Error against cost of one scene and aspect ratio, on an axis from `low` to 150 %."""
     rows = standing(rows)
-    if points:
-        for (method, n, rule), part in rows.groupby(["method", "n", "rule"]):
-            style = style_of(method, int(n), rule, aspect)
-            error = np.maximum(part["error"], floor)
-            bars = [np.clip(error - part["error_low"], 0, 0.999 * error),
-                    np.clip(part["error_high"] - error, 0, None)]
-            sideways = [np.clip(part["cost"] - part["cost_min"], 0, None),
-                        np.clip(part["cost_max"] - part["cost"], 0, None)]
-            axes.errorbar(part["cost"], error, yerr=bars, xerr=sideways, linestyle="none",
-                          markersize=3.2, elinewidth=0.5, alpha=0.8, zorder=3,
-                          rasterized=True, **style)  # thousands of points make an SVG large
-    for method in ("multisphere", "rods"):
-        draw_front(axes, rows, method, label, floor)
+    for (method, n, rule), part in rows[rows["error"] >= low].groupby(["method", "n", "rule"]):
+        error = part["error"]
+        bars = [np.clip(error - part["error_low"], 0, 0.999 * error),
+                np.clip(part["error_high"] - error, 0, None)]
+        sideways = [np.clip(part["cost"] - part["cost_min"], 0, None),
+                    np.clip(part["cost_max"] - part["cost"], 0, None)]
+        axes.errorbar(part["cost"], error, yerr=bars, xerr=sideways, linestyle="none",
+                      markersize=3.2, elinewidth=0.5, alpha=0.8, zorder=3,
+                      rasterized=True,  # thousands of points make an SVG large
+                      **style_of(method, int(n), rule, aspect))
+    labels = [label for method in ("multisphere", "rods") for label in draw_front(axes, rows, method)]
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_ylim(0.5 * floor, 1.5 * room)
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.set_ylim(low, 1.5)
+    # Room for labels and arrows at the sides.
+    least, most = rows["cost_min"].min(), rows["cost_max"].max()
+    room = max(1.15, (most / least) ** 0.06)
+    axes.set_xlim(least / room, most * room ** 1.5)
+    ticks(axes)
+    draw_arrows(axes, rows, aspect, low)
+    draw_labels(axes, labels, rows, size)
     axes.grid(True, which="major", linewidth=0.4, alpha=0.5)
 
 
-def note(axes, table: pandas.DataFrame) -> None:
-    """In a corner: at which cost the errors are had."""
-    lines = [f"{percent(row['error'])} %: {words(row)}" for _, row in table.iterrows()]
-    axes.text(0.985, 0.98, "\n".join(lines), transform=axes.transAxes, ha="right", va="top",
-              fontsize=6.2, linespacing=1.25,
-              bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1.5})
+def ticks(axes) -> None:
+    """Of the costs: 1, 2, 5 a decade where there are few decades."""
+    left, right = axes.get_xlim()
+    if right / left < 100:
+        subs = (1, 2, 5) if right / left < 20 else (1, 3)
+        axes.xaxis.set_major_locator(LogLocator(subs=subs))
+        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.xaxis.set_minor_locator(NullLocator())
+    axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def legend_of(figure, rules: set[str]) -> None:
-    from matplotlib.lines import Line2D
-    entries = []
+def note(table: pandas.DataFrame) -> str:
+    """At which cost the errors are had, in two lines."""
+    texts = [f"{percent(row['error'])} %: {words(row)}" for _, row in table.iterrows()]
+    a_line = -(-len(texts) // 2)
+    return "\n".join(";   ".join(texts[k:k + a_line]) for k in range(0, len(texts), a_line))
+
+
+def legend_of(figure, rows: pandas.DataFrame) -> None:
+    """Of what is there."""
+    rows = standing(rows)
+    rules, entries = set(rows["rule"]), []
     names = {"spread": "rods, spread contact", "single": "rods, single contact"}
     entries += [Line2D([], [], linestyle="none", markersize=4, label=names[rule],
                        **style_of("rods", 0, rule, 10)) for rule in names if rule in rules]
+    spheres = rows[rows["method"] == "multisphere"]
+    there = {spacing_index(int(n), aspect) for n, aspect in zip(spheres["n"], spheres["lambda"])}
     for k, spacing in enumerate(("2r", "r", "r/2", "r/4")):
-        entries.append(Line2D([], [], linestyle="none", markersize=4, label=f"spheres every {spacing}",
-                              **style_of("multisphere", 1 + 2**k * 9, "adapted", 10)))
-    entries.append(Line2D([], [], linestyle="none", markersize=4, label="hollow: nominal",
-                          **style_of("multisphere", 10, "nominal", 10)))
-    room = 13.0 / 25.4 / figure.get_figheight()
+        if k in there:
+            entries.append(Line2D([], [], linestyle="none", markersize=4,
+                                  label=f"spheres every {spacing}",
+                                  **style_of("multisphere", 1 + 2**k * 9, "adapted", 10)))
+    if "nominal" in rules:
+        entries.append(Line2D([], [], linestyle="none", markersize=4, label="spheres, hollow: nominal",
+                              marker="h", color=plots.COLOURS["grey"], markerfacecolor="none",
+                              markeredgewidth=0.8))
+    lines = -(-len(entries) // 4)
+    room = (4.0 + 4.5 * lines) / 25.4 / figure.get_figheight()
     figure.get_layout_engine().set(rect=(0.0, room, 1.0, 1.0 - room))
     figure.legend(handles=entries, loc="lower center", ncols=4, fontsize=7, frameon=False)
 
@@ -265,40 +379,43 @@ def chart(rows: pandas.DataFrame, scene: str, quantity: str, stem: Path | str) -
     aspects = sorted(part["lambda"].unique())
     columns = min(2, len(aspects))
     lines = -(-len(aspects) // columns)
-    figure, axes = plots.new_figure(180, 68 * lines + 22, lines, columns, squeeze=False,
+    figure, axes = plots.new_figure(180, 66 * lines + 22, lines, columns, squeeze=False,
                                     sharey=True)
     figure.set_layout_engine("constrained")
     table = summary(part)
-    floor = floor_of(part)
+    low = lowest_of(part)
     for k, aspect in enumerate(aspects):
         panel = axes[k // columns][k % columns]
-        draw_panel(panel, part[part["lambda"] == aspect], aspect, floor=floor,
-                   room=10.0)
-        panel.set_title(f"λ = {aspect:g}", fontsize=9)
-        note(panel, table[table["lambda"] == aspect])
+        draw_panel(panel, part[part["lambda"] == aspect], aspect, low=low,
+                   size=(POINTS * (165 / columns - 6), POINTS * 46))
+        panel.set_title(note(table[table["lambda"] == aspect]), fontsize=6.8, linespacing=1.3,
+                        loc="right")
+        panel.set_title(f"λ = {aspect:g}", fontsize=9, loc="left")
     for panel in axes.flat[len(aspects):]:
         panel.set_axis_off()
     for panel in axes[:, 0]:
         panel.set_ylabel(f"error of the {QUANTITIES.get(quantity, quantity)}", fontsize=8)
     for k in range(columns):
-        axes[-1][k].set_xlabel(cost_label(scene), fontsize=8)
+        last = [panel for panel in axes.flat[:len(aspects)][k::columns]][-1]
+        last.set_xlabel(cost_label(scene), fontsize=8)
     figure.suptitle(title_of(scene, quantity), fontsize=10)
-    legend_of(figure, set(part["rule"]))
+    legend_of(figure, part)
     plots.save(figure, stem)
 
 
 def cost_label(scene: str) -> str:
     if is_bed(scene):
-        return "core seconds to a bed at rest"
+        return "core seconds to rest (→: or more)"
     return "core seconds a simulated second and copy"
 
 
-def floor_of(rows: pandas.DataFrame) -> float:
-    """What is below it is drawn on it: a decade below the least error of glued spheres or 10⁻⁴."""
+def lowest_of(rows: pandas.DataFrame) -> float:
+    """Where the axis of errors begins: about a decade below the least error of glued spheres or 10⁻⁴, unless
+    no error is that low."""
     good = standing(rows)
     theirs = good.loc[good["method"] == "multisphere", "error"].min()
     lowest = min(1e-3, theirs if np.isfinite(theirs) else 1e-3)
-    return max(1e-8, 10.0 ** np.floor(np.log10(lowest) - 1.0), 0.5 * good["error"].min())
+    return max(1e-8, 0.5 * 10.0 ** np.floor(np.log10(lowest) - 1.0), 0.4 * good["error"].min())
 
 
 def combined(rows: pandas.DataFrame, aspect: float, stem: Path | str) -> None:
@@ -307,13 +424,16 @@ def combined(rows: pandas.DataFrame, aspect: float, stem: Path | str) -> None:
               if not (c[0] == "precession" and c[1] == "energy")]
     columns = 4
     lines = -(-len(charts) // columns)
-    figure, axes = plots.new_figure(220, 47 * lines + 14, lines, columns, squeeze=False)
+    figure, axes = plots.new_figure(220, 48 * lines + 22, lines, columns, squeeze=False)
     figure.set_layout_engine("constrained")
+    drawn = []
     for panel, (scene, quantity) in zip(axes.flat, charts):
         part = rows[(rows["scene"] == scene) & (rows["quantity"] == quantity)]
         nearest = min(part["lambda"].unique(), key=lambda a: abs(np.log(a / aspect)))
         here = part[part["lambda"] == nearest]
-        draw_panel(panel, here, nearest, floor=1e-4 if not is_bed(scene) else 1e-3)
+        drawn.append(here)
+        draw_panel(panel, here, nearest, low=3e-5 if not is_bed(scene) else 5e-4,
+                   size=(POINTS * 44, POINTS * 32))
         shown = f", λ = {nearest:g}" if nearest != aspect else ""
         panel.set_title(title_of(scene, quantity) + shown, fontsize=8)
         panel.tick_params(labelsize=6.5)
@@ -321,12 +441,15 @@ def combined(rows: pandas.DataFrame, aspect: float, stem: Path | str) -> None:
         panel.set_axis_off()
     for panel in axes[:, 0]:
         panel.set_ylabel("error", fontsize=7.5)
-    for k in range(columns):
-        below = [(panel, scene) for panel, (scene, _) in list(zip(axes.flat, charts))[k::columns]]
-        if below:
-            below[-1][0].set_xlabel("core seconds" if is_bed(below[-1][1]) else
-                                    "core seconds a simulated second", fontsize=7)
-    legend_of(figure, set(rows["rule"]))
+    # Below the last panel of each unit in a column.
+    for kind, label in ((False, "core seconds a simulated second"), (True, "core seconds to rest (→: or more)")):
+        for k in range(columns):
+            panels = [panel for panel, (scene, _) in list(zip(axes.flat, charts))[k::columns]
+                      if is_bed(scene) == kind]
+            if panels:
+                panels[-1].set_xlabel(label, fontsize=7)
+    figure.suptitle(f"Error against cost, λ = {aspect:g}: down and left is better", fontsize=10)
+    legend_of(figure, pandas.concat(drawn))
     plots.save(figure, stem)
 
 

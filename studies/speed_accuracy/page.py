@@ -6,7 +6,7 @@ import numpy as np
 import pandas
 
 from studies.common.rows import read_rows
-from studies.speed_accuracy import chart, rods, scenes
+from studies.speed_accuracy import chart, rods, scenes, sweep
 
 
 def span(table: pandas.DataFrame, column: str) -> dict:
@@ -29,15 +29,31 @@ def restitution_missed(aspect: float, copies: int, seed: int, rule: str) -> floa
 
 def wall_errors(table: pandas.DataFrame) -> list[list[str]]:
     """A line an aspect ratio and rule: what glued rods miss at a wall and what the restitution makes
-    of it."""
+    of it, of as many copies as each case had, in the mean over the cases."""
     part = chart.standing(table[(table["scene"] == "wall") & (table["method"] == "multisphere")])
     lines = []
     for (aspect, rule), cases in part.groupby(["lambda", "rule"]):
-        expected = restitution_missed(aspect, int(table["copies"].max()), int(cases["seed"].iloc[0]),
-                                      rule)
+        expected = {copies: restitution_missed(aspect, int(copies), int(cases["seed"].iloc[0]), rule)
+                    for copies in cases["copies"].unique()}
         lines.append([f"{aspect:g}", rule, chart.percent(cases["error"].min()),
-                      chart.percent(cases["error"].median()), chart.percent(expected)])
+                      chart.percent(cases["error"].median()),
+                      chart.percent(cases["copies"].map(expected).mean())])
     return lines
+
+
+def copies_of(events: pandas.DataFrame) -> dict:
+    """How many copies the cases have, of rods and of glued rods, and the rods of a gas."""
+    gas = events["scene"] == "gas"
+    rods = events[~gas & (events["method"] == "rods")]
+    glued = events[~gas & (events["method"] != "rods")]
+    return {"rods": span(rods, "copies"), "glued": span(glued, "copies"),
+            "gas": span(events[gas], "copies") if gas.any() else None}
+
+
+def timed_once(events: pandas.DataFrame) -> dict:
+    """Of the points on the fronts, from which the answers are taken, how many have one turn alone."""
+    front = sweep.front(chart.standing(events))
+    return {"all": len(front), "once": int((front["turns"] < 2).sum())}
 
 
 def values(charted, summary, config: dict, mode: str, results: str) -> dict:
@@ -46,6 +62,8 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
     rows, events, table = chart.read(charted), read_rows(charted[0]), read_rows(summary)
     headings, lines = chart.summary_table(table)
     ours, theirs = table["rods_cost"].notna(), table["multisphere_cost"].notna()
+    beds, alone = table["scene"].map(chart.is_bed), ours & (table["multisphere_state"] == "not reached")
+    floor = table["multisphere_at_floor"] == 1
     ratio = table.loc[ours & theirs, "rods_are_cheaper"]
     near = table[ours & theirs & (table["rods_are_cheaper"] <= 2.0)]
     aspects = sorted(events["lambda"].unique(), key=lambda a: abs(a - 10.0))
@@ -61,9 +79,15 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
                    for scene, quantity in chart.charts_of(rows)],
         "machine": " and ".join(sorted(events["machine"].dropna().unique())),
         "seed": " and ".join(map(str, events["seed"].unique())),
-        "copies": int(events["copies"].max()), "turns": int(events["turns"].max()),
+        "copies": copies_of(events), "timed": timed_once(events), "turns": int(events["turns"].max()),
         "questions": len(table), "both_reach": len(ratio),
-        "only_rods": int((ours & ~theirs).sum()),
+        "only_rods": int(alone.sum()), "only_rods_floor": int((alone & floor).sum()),
+        "only_rods_so_far": int((alone & ~floor & ~beds).sum()),
+        "only_rods_beds": int((alone & beds).sum()),
+        "spheres_open": int((ours & (table["multisphere_state"] == "not resolved")).sum()),
+        "not_resolved": int((table["cheapest"] == "not resolved").sum()),
+        "fewest_cases": chart.FEWEST_CASES, "fewest_beds": chart.FEWEST_BEDS,
+        "floor_cost": f"1/{1 / chart.FLOOR_COST:g}", "floor_error": 100 * (chart.FLOOR_ERROR - 1),
         "rods_win": int((table["cheapest"] == "rods").sum()),
         "spheres_win": int((table["cheapest"] == "multisphere").sum()),
         "neither": int((table["cheapest"] == "neither").sum()),
@@ -83,4 +107,5 @@ def values(charted, summary, config: dict, mode: str, results: str) -> dict:
         "rods_step": span(events[events["method"] == "rods"], "time_step_over_limit"),
         "spheres_step": span(events[events["method"] == "multisphere"], "time_step_over_limit"),
         "most_work": float(config["spheres_work"]), "rods_work": float(config["rods_work"]),
+        "softest_work": sweep.SOFTEST_WORK, "free_work": sweep.FREE_WORK,
     }

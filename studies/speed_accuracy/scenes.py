@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The scenes: where many copies of one small event begin, and what is known of how they end.
 
-A scene's answer is a closed form, or for `row` and `gas` a slow calculation of its own; the error is
-the root mean square over the copies of what a code misses, over that of the answer.
+A scene's answer is a closed form; for `row` it is a slow calculation of its own, and of `gas` it is that hard
+rods keep their energy of motion. The error is the root mean square over the copies of what a code misses,
+over that of the answer.
 """
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 # The scenes: each is swept with both codes, two sweeps side by side, then what came out best is timed
 # again, alone on the machine and in turns.
 import shlex
+import shutil
 
 from studies.speed_accuracy.scenes import SCENES
 
@@ -59,7 +60,8 @@ if not KEPT:
 
     rule scene_timing:
         input:
-            rows=["scenes/{scene}_{aspect}_rods.csv", "scenes/{scene}_{aspect}_spheres.csv"],
+            rows=["scenes/kept.csv"] if truth("scenes_kept") else
+                 ["scenes/{scene}_{aspect}_rods.csv", "scenes/{scene}_{aspect}_spheres.csv"],
         output: "scenes/{scene}_{aspect}_timed.csv"
         log: "logs/scene_{scene}_{aspect}_timed.log"
         threads: workflow.cores
@@ -70,6 +72,11 @@ if not KEPT:
             "/usr/bin/python3 {HERE}/sweep.py time {wildcards.scene} {wildcards.aspect} {input.rows} "
             "{params.options} --turns {config[turns]} "
             "--work scenes/{wildcards.scene}_{wildcards.aspect}_timed --out {output} >{log} 2>&1"
+
+    # --config scenes_kept=1: a copy, since the table itself is made anew at the end.
+    rule kept_scenes:
+        output: "scenes/kept.csv"
+        run: shutil.copyfile(SCENE_ROWS, output[0])
 
     rule scene_rows:
         input:

@@ -27,6 +27,9 @@ DECKS_STIFFNESS = 2.0e4  # N/m times the aspect ratio, of the decks in input/
 RULES = {"rods": ("spread", "single"), "spheres": ("nominal", "adapted")}
 METHODS = {"rods": "rods", "spheres": "multisphere"}
 KEY = ["method", "n", "rule", "stiffness", "time_step_over_limit"]
+# What may have so many times the work of other cases: the softest contact with the largest step, so that
+# most numbers of spheres have a case; free rods, whose error is that of the step alone.
+SOFTEST_WORK, FREE_WORK = 20, 8
 
 
 @dataclass(frozen=True)
@@ -131,16 +134,14 @@ def variants(given: argparse.Namespace) -> list[tuple[Variant, float]]:
 
 def cases_of(scene: Scene, variant: Variant,
              given: argparse.Namespace) -> list[tuple[float, codes.Case]]:
-    """Fractions ascend within a stiffness. The softest contact with the largest step may have twenty
-    times the work, so that most numbers of spheres have a case; free rods, whose error is that of the
-    step alone, eight times. A stiffness that has no part in the scene is one."""
+    """Fractions ascend within a stiffness. A stiffness that has no part in the scene is one."""
     stiffnesses = given.stiffnesses if scene.stiff else [1.0]
     cases = []
     for stiffness in stiffnesses:
         for fraction in sorted(given.fractions):
             case = case_of(scene, variant, stiffness, fraction)
             cheapest = (stiffness, fraction) == (min(stiffnesses), max(given.fractions))
-            factor = 20 if cheapest else 1 if scene.stiff else 8
+            factor = SOFTEST_WORK if cheapest else 1 if scene.stiff else FREE_WORK
             if work_of(scene, variant, case.steps) <= given.most_work * factor:
                 cases.append((fraction, case))
     return cases
@@ -175,20 +176,53 @@ def run(given: argparse.Namespace) -> list[dict]:
     return rows
 
 
+def front(table: pandas.DataFrame) -> pandas.DataFrame:
+    """Rows on the Pareto front of either method, of each scene, aspect ratio and quantity. The cheapest
+    case below any error is one of them."""
+    kept = []
+    for _, part in table.groupby(["scene", "lambda", "quantity", "method"]):
+        kept.append(part.iloc[pareto_front(part["cost"], part["error"])])
+    return pandas.concat(kept) if kept else table.iloc[:0]
+
+
 def best(table: pandas.DataFrame) -> pandas.DataFrame:
-    """The cases of the Pareto front of either method, by any quantity."""
-    kept: list[tuple] = []
-    for _, part in table.groupby(["quantity", "method"]):
-        front = pareto_front(part["cost"], part["error"])
-        kept += [tuple(part.iloc[k][KEY]) for k in front]
-    return pandas.DataFrame(sorted(set(kept), key=str), columns=KEY)
+    """The cases that are on a front by any quantity."""
+    kept = {tuple(row[KEY]) for _, row in front(table).iterrows()}
+    return pandas.DataFrame(sorted(kept, key=str), columns=KEY)
 
 
 def time_again(given: argparse.Namespace) -> pandas.DataFrame:
-    """All rows, those of `best` with the median of given.turns costs. Codes take turns."""
+    """All rows of the scene, each case on a front with the median of given.turns costs: costs that
+    change move the fronts, so that it goes on until no case on them has not been timed here."""
     table = pandas.concat([common_rows.read_rows(p) for p in given.rows], ignore_index=True)
+    table = table[(table["scene"] == given.scene) & (table["lambda"] == given.aspect)]
+    table = table.reset_index(drop=True).astype({"cost": float, "cost_min": float, "cost_max": float})
     table["ended"] = table["ended"].fillna("")
-    chosen = best(table[(table["error"] < 1.0)])
+    if "timed_version" not in table:
+        table["timed_version"] = ""
+    table["timed_version"] = table["timed_version"].fillna("").astype(str)
+    version = common_rows.provenance(given.command, given.seed)["version"]
+    timed: set[tuple] = set()
+    while True:
+        chosen = best(table[table["error"] < 1.0])
+        chosen = chosen[[tuple(row) not in timed for row in chosen.itertuples(index=False)]]
+        if chosen.empty:
+            return table
+        costs = costs_in_turns(chosen, given)
+        timed |= {tuple(row) for row in chosen.itertuples(index=False)}
+        for index, row in table.iterrows():
+            turns = costs.get(tuple(row[KEY]))
+            if turns and np.isfinite(row["cost"]):
+                table.loc[index, ["cost", "cost_min", "cost_max"]] = (np.median(turns), min(turns),
+                                                                      max(turns))
+                table.loc[index, "turns"] = len(turns)
+                table.loc[index, "timed_version"] = version
+                swept = row["command"].split(" && ")[0]
+                table.loc[index, "command"] = f"{swept} && {given.command}"
+
+
+def costs_in_turns(chosen: pandas.DataFrame, given: argparse.Namespace) -> dict[tuple, list[float]]:
+    """Of each case given.turns costs. Codes take turns."""
     groups, scenes = [], {}
     spacing_of = {spheres_of(given.aspect, s): s for s in given.spacings}
     for (method, n, rule), part in chosen.groupby(["method", "n", "rule"]):
@@ -215,16 +249,7 @@ def time_again(given: argparse.Namespace) -> pandas.DataFrame:
                         outcome.seconds / scene.duration / scene.copies)
     for _, _, folder, _ in groups:
         codes.clean(folder)
-    table = table.astype({"cost": float, "cost_min": float, "cost_max": float})
-    for index, row in table.iterrows():
-        turns = costs.get(tuple(row[KEY]))
-        if turns and np.isfinite(row["cost"]):
-            table.loc[index, ["cost", "cost_min", "cost_max"]] = (np.median(turns), min(turns),
-                                                                  max(turns))
-            table.loc[index, "turns"] = len(turns)
-            swept = row["command"].split(" && ")[0]
-            table.loc[index, "command"] = f"{swept} && {given.command}"
-    return table
+    return costs
 
 
 def arguments() -> argparse.Namespace:

@@ -110,13 +110,39 @@ def test_limits_of_stiff_contacts_and_many_spheres():
                           "stiffness": 1.0, "time_step_over_limit": 0.36, "divided_by": divided,
                           "overlap_mean": 0.1, "seed": seed, "vf_inner":
                           0.45 + 0.1 * beds.groove(10, n) + scatter + (divided * n == 19)})
-    cells = beds.limits(pandas.DataFrame(table), reference)[0]
-    # Scatter of a case 0.01, and 0.02 √2; errors of the limits by the arms of the line.
-    stiff = math.hypot(10 / 9, 1 / 9) * 0.01 / math.sqrt(3)
+    others = {"vf_whole": 0.4, "elevation_deg": 20.0, "contacts": 6.0}   # without scatter: no limit
+    lines = beds.limits(pandas.DataFrame(table).assign(**others), reference)
+    cells = lines[0]
+    assert [line[3][:5] for line in lines[1:]] in (['–'] * 3, ['0.400', '–', '–'])
+    # All cases together: two of variance 0.01² and 2 degrees of freedom, three of 2·0.02² and 1, so that
+    # beds scatter by 0.02. Errors of the limits by the arms of the line.
+    stiff = math.hypot(10 / 9, 1 / 9) * 0.02 / math.sqrt(3)
     deep, shallow = beds.groove(10, 10), beds.groove(10, 19)
-    smooth = 0.02 * math.hypot(deep, shallow) / (deep - shallow)
-    assert cells[0] == "10" and cells[1] == f"0.441 ± {0.01 / math.sqrt(3):.3f}"
-    assert cells[2] == f"0.440 ± {stiff:.3f}" and cells[4] == f"0.450 ± {smooth:.3f}"
+    smooth = 0.02 / math.sqrt(2) * math.hypot(deep, shallow) / (deep - shallow)
+    assert cells[:2] == ["V_f, inner cylinder", "10"]
+    assert cells[2] == f"0.441 ± {0.02 / math.sqrt(3):.3f}"
+    assert cells[3] == f"0.440 ± {stiff:.3f}" and cells[5] == f"0.450 ± {smooth:.3f}"
+    assert cells[7] == "2, 2"
+
+
+# Against the decks' default, whose mean is 0.4; beds of all cases scatter by 0.004: Student's 95 % of 6 degrees
+# of freedom is 1.943.
+def test_which_settings_keep_the_bed():
+    table = []
+    for (stiffness, step), mean in (((1.0, 0.09), 0.40), ((1.0, 0.22), 0.402), ((0.1, 0.22), 0.42)):
+        for seed, scatter in enumerate((-0.004, 0.0, 0.004)):
+            table.append({"lambda": 10, "method": "rods", "n": 0, "rule": "spread",
+                          "stiffness": stiffness, "time_step_over_limit": step, "divided_by": 1,
+                          "seed": seed, **{q: mean + scatter for q in beds.QUANTITIES}})
+    found = beds.kept(pandas.DataFrame(table)).set_index(["stiffness", "step", "quantity"])
+    assert (found["lambda"] == 10).all()
+    row = found.loc[(1.0, 0.22, "vf_inner")]
+    width = 1.943 * 0.004 * math.sqrt(2 / 3) / 0.4
+    assert (row["low"], row["high"]) == (pytest.approx(0.005 - width, abs=1e-5),
+                                         pytest.approx(0.005 + width, abs=1e-5))
+    assert row["kept"] and not found.loc[(0.1, 0.22, "vf_inner"), "kept"]
+    assert beds.kept_lines(found.reset_index())[1][:5] == ["1", "0.22", "10", "3",
+                                                           "**−1.1 to +2.1**"]
 
 
 # A bed that ends in an error of LIGGGHTS is a row, and a line of its own on the page.

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """studies/speed_accuracy: the scenes' answers against other ways to them, charts and summary, and the
 smallest run of the graph."""
+import argparse
 import subprocess
+from collections import Counter
 
 import numpy as np
 import pandas
@@ -117,6 +119,35 @@ def test_crossed_rods_keep_momentum():
     assert speed + change == pytest.approx(-0.5 * speed, rel=1e-9)
 
 
+# Where they touch is found by halving the time; there the part of the speed along the shortest way between
+# the axes is turned round and halved, what is left of it stays, and nothing turns.
+@pytest.mark.parametrize("name", ["flat", "parallel"])
+def test_landing_along_the_whole_rod(name):
+    scene = scenes.build(name, 10.0, 12, 7)
+    rod, start = scene.rod, scene.start
+    velocity, momentum = wanted_changes(scene)
+    assert np.all(momentum == 0.0)
+    for k in range(12):
+        def gap(time):
+            centre = start.position[k] + time * start.velocity[k]
+            if name == "flat":
+                return centre[2] - rods.RADIUS
+            return rods.segment_distance(centre, start.axis[k], 0.5 * rod.height, scene.fixed_position[k],
+                                         scene.fixed_axis[k], scene.fixed_length) - rods.DIAMETER
+        early, late = 0.0, scene.duration
+        assert gap(early) > 0.0 > gap(late)
+        for _ in range(60):
+            middle = 0.5 * (early + late)
+            early, late = (middle, late) if gap(middle) > 0.0 else (early, middle)
+        normal = np.array([0.0, 0.0, 1.0])
+        if name == "parallel":
+            away = start.position[k] + early * start.velocity[k] - scene.fixed_position[k]
+            normal = scenes.unit(away - np.dot(away, scene.fixed_axis[k]) * scene.fixed_axis[k])
+        before, after = start.velocity[k], start.velocity[k] + velocity[k]
+        assert np.dot(after, normal) == pytest.approx(-0.5 * np.dot(before, normal), rel=1e-4)
+        assert np.cross(after, normal) == pytest.approx(np.cross(before, normal), abs=1e-4)
+
+
 # One support under the centre: reversed; two far apart, symmetric: reversed without spin; one at x:
 # v' = v (m x² - I)/(m x² + I) in a central impact of m_eff.
 def test_elastic_supports():
@@ -180,6 +211,78 @@ def test_groove_load():
     assert np.max(scene.errors([end])["friction"]) < 1e-12
 
 
+# Small steps; the rods below carry it as equal springs do, whose forces and torques balance its weight.
+def test_sliding_over_rods():
+    scene = scenes.build("slide_across", 10.0, 4, 7)
+    dt, steps, fixed = scene.duration / 500, 500, scene.fixed_position.reshape(4, -1, 3)
+    final = []
+    for k in range(4):
+        x, speed = 0.0, scene.start.velocity[k, 0]
+        for _ in range(steps):
+            arms = fixed[k, :, 0] - scene.start.position[k, 0] - x
+            arms = arms[np.abs(arms) < 0.5 * scene.rod.height]
+            assert len(arms) >= 3
+            ways = np.stack([np.ones_like(arms), arms])
+            loads = ways.T @ np.linalg.solve(ways @ ways.T, [-scene.gravity[2], 0.0])
+            speed += dt * (scene.gravity[0] - 0.2 * loads.sum())
+            x += dt * speed
+        final.append(speed)
+    end = scenes.State(scene.start.position, np.array(final)[:, None] * [1.0, 0, 0],
+                       scene.start.momentum, scene.start.axis)
+    assert np.max(scene.errors([end])["friction"]) < 1e-9
+
+
+# Small steps of a block that friction holds if it can, else slows.
+def test_incline_about_its_threshold():
+    scene = scenes.build("incline", 10.0, 22, 7)
+    dt, steps = scene.duration / 1000, 1000
+    final = []
+    for kind in scene.types:
+        held, speed = scene.friction[kind - 1] * -scene.gravity[2], 0.0
+        for _ in range(steps):
+            pull = scene.gravity[0]
+            speed = max(0.0, speed + dt * (pull - held)) if speed > 0 or pull > held else 0.0
+        final.append(speed)
+    assert min(final) == 0.0 < max(final)
+    end = scenes.State(scene.start.position, np.array(final)[:, None] * [1.0, 0, 0],
+                       scene.start.momentum, scene.start.axis)
+    assert np.max(scene.errors([end])["speed"]) < 1e-9
+
+
+# A hundred turns of the axis by its equation of motion.
+def test_precession_of_a_hundred_turns():
+    scene = scenes.build("precession", 5.0, 3, 7)
+    start = scene.start
+    axes = [solve_ivp(lambda _, u, w=m / scene.rod.across: np.cross(w, u), (0.0, scene.duration), a,
+                      rtol=1e-10, atol=1e-12, method="DOP853").y[:, -1]
+            for a, m in zip(start.axis, start.momentum)]
+    end = scenes.State(start.position, start.velocity, start.momentum, np.array(axes))
+    errors = scene.errors([end])
+    assert np.max(errors["phase"]) < 1e-6 and np.max(errors["energy"]) < 1e-6
+
+
+# Elastic impulses between pairs of rods, one after the other, that turn round the speed of the points at
+# which they touch.
+def test_a_gas_keeps_its_energy():
+    scene = scenes.build("gas", 5.0, 20, 7)
+    rod, state, rng = scene.rod, scene.start, RNG(5)
+    velocity, momentum = state.velocity.copy(), state.momentum.copy()
+    for _ in range(40):
+        pair = rng.choice(len(velocity), 2, replace=False)
+        normal = scenes.unit(rng.normal(size=3))
+        arms = rng.uniform(-0.5, 0.5, 2)[:, None] * rod.height * state.axis[pair]
+        omega = scenes.omega_of(rod, scenes.State(state.position, velocity, momentum, state.axis))[pair]
+        speed = np.dot(velocity[pair[0]] - velocity[pair[1]] + np.cross(omega[0], arms[0])
+                       - np.cross(omega[1], arms[1]), normal)
+        impulse = -2.0 * speed / np.sum(rods.inverse_mass(rod, arms, normal)) * normal
+        for sign, one, arm in zip((1, -1), pair, arms):
+            velocity[one] += sign * impulse / rod.mass
+            momentum[one] += sign * np.cross(arm, impulse)
+    assert not np.allclose(velocity, state.velocity)
+    end = scenes.State(state.position, velocity, momentum, state.axis)
+    assert np.max(scene.errors([end])["energy"]) < 1e-10
+
+
 @pytest.mark.parametrize("name", sorted(scenes.SCENES))
 @pytest.mark.parametrize("aspect", [3.0, 30.0])
 def test_rods_of_a_scene_do_not_touch_at_first(name, aspect):
@@ -227,6 +330,37 @@ def test_damping_of_a_contact_gives_the_restitution():
     assert end[1] == pytest.approx(0.5, rel=1e-6)
 
 
+# Costs that change move the fronts: what comes to be on them is timed too, so that no answer mixes one turn
+# with several.
+def test_all_of_the_front_is_timed(tmp_path, monkeypatch):
+    first = pandas.DataFrame([row("rods", c, e) | {"stiffness": k, "turns": 1, "ended": ""}
+                              for k, (c, e) in enumerate([(1.0, 0.1), (1.2, 0.09), (1.3, 0.05),
+                                                          (9.0, 0.3)])])
+    other = first.assign(scene="flat")
+    rows.write_rows(tmp_path / "rows.csv", pandas.concat([first, other]))
+    asked = []
+
+    def slower(chosen, given):
+        asked.append(sorted(chosen["stiffness"]))
+        return {tuple(case): [20.0, 30.0, 40.0] for case in chosen.itertuples(index=False)}
+    monkeypatch.setattr(sweep, "costs_in_turns", slower)
+    given = argparse.Namespace(rows=[tmp_path / "rows.csv"], scene="wall", aspect=10.0, turns=3,
+                               command="x", seed=1)
+    table = sweep.time_again(given)
+    # The three of the front get dearer than the last, which then is on it.
+    assert asked == [[0, 1, 2], [3]]
+    assert list(table["scene"].unique()) == ["wall"]
+    assert (sweep.front(table)["turns"] == 3).all() and table["timed_version"].ne("").all()
+    assert list(table["cost_min"]) == [20.0] * 4 and list(table["cost_max"]) == [40.0] * 4
+
+
+# Of the kept rows too. Not yet so: snakemake --config scenes_kept=1 beds_kept=1 makes it so.
+@pytest.mark.xfail(strict=True, reason="points of the kept fronts were timed once")
+def test_kept_fronts_are_timed_in_turns():
+    table = rows.read_rows(STUDY / "results/scenes.csv")
+    assert (sweep.front(chart.standing(table))["turns"] >= 3).all()
+
+
 # --- Charts and summary. -------------------------------------------------------------------------
 
 def row(method, cost, error, n=0, rule="spread", scene="wall", aspect=10.0, quantity="impulse"):
@@ -246,6 +380,12 @@ def some():
         row("rods", 3.0, 0.05, scene="bed"), row("multisphere", 30.0, 0.05, 10, scene="bed")])
 
 
+def bed(method, cost, error, standard_error, beds=5, n=0, cut=0):
+    return row(method, cost, error, n, scene="bed", quantity="inner") | {
+        "error_low": max(0.0, error - standard_error), "error_high": error + standard_error,
+        "beds": beds, "cost_is_least": cut}
+
+
 def test_summary(some):
     table = chart.summary(some)
     wall = table[table["scene"] == "wall"]
@@ -256,7 +396,7 @@ def test_summary(some):
     assert list(wall["cheapest"]) == ["rods"] * 4
     assert wall["multisphere_least_error"].iloc[0] == 0.02
     assert list(map(chart.words, wall.to_dict("records"))) == [
-        "rods 4 × (n = 10)", "rods 4 × (n = 19)", "only rods", "only rods"]
+        "rods 4 × (n = 10)", "rods 4 × (n = 19)", "only rods so far", "only rods so far"]
     flat = table[table["scene"] == "flat"].to_dict("records")
     assert [chart.words(r) for r in flat] == ["only spheres, n = 10", "neither", "neither",
                                               "neither"]
@@ -282,11 +422,37 @@ def test_percent(value, text):
     assert chart.percent(value) == text
 
 
-# A bias of few seeds counts with its standard error.
+# More cost helps no longer where many cases, of a third of the largest cost, are as good as any.
+def test_only_rods_where_spheres_are_at_their_least_error():
+    flat = [row("multisphere", 10.0 + k, 0.05, 10) for k in range(30)] + \
+        [row("multisphere", 200.0, 0.045, 19), row("rods", 1.0, 0.02)]
+    falling = [r | {"error": 0.5 / r["cost"]} for r in flat[:-1]]
+    assert chart.words(chart.summary(pandas.DataFrame(flat)).iloc[1]) == "only rods"
+    few = chart.summary(pandas.DataFrame(flat[:5] + flat[-1:]))
+    assert chart.words(few.iloc[1]) == "only rods so far"
+    assert chart.at_floor(pandas.DataFrame(flat[:-1]))
+    assert not chart.at_floor(pandas.DataFrame(falling))
+
+
+# A bias of few seeds counts with its standard error: 2.8 ± 2.2 % is below 10 % and may be below 3 %. Rods cost
+# less, so that what is open decides at 3 %.
 def test_beds_count_with_their_error():
-    bed = row("rods", 1.0, 0.028, scene="bed") | {"error_high": 0.05}
-    table = chart.summary(pandas.DataFrame([bed, row("multisphere", 9.0, 0.02, 10, scene="bed")]))
-    assert list(table["cheapest"]) == ["rods", "multisphere"]
+    table = chart.summary(pandas.DataFrame([bed("rods", 1.0, 0.028, 0.022),
+                                            bed("multisphere", 9.0, 0.02, 0.002, n=10)]))
+    assert list(table["cheapest"]) == ["rods", "not resolved"]
+    assert list(map(chart.words, table.to_dict("records"))) == [
+        "rods 9 × (n = 10)", "spheres, n = 10; rods not resolved"]
+
+
+@pytest.mark.parametrize("spheres,text", [
+    (dict(beds=2), "rods; spheres not resolved"),        # fewer beds than an answer needs
+    (dict(beds=3), "rods 9 × (n = 10)"),
+    (dict(beds=3, cut=1), "rods ≥ 9 × (n = 10)"),        # ended before they were at rest
+    (dict(beds=1, error=0.5), "only rods")])             # far away, whatever it scatters
+def test_answers_of_beds(spheres, text):
+    theirs = bed("multisphere", 9.0, **({"error": 0.02, "standard_error": 0.002, "n": 10} | spheres))
+    table = chart.summary(pandas.DataFrame([bed("rods", 1.0, 0.01, 0.002), theirs]))
+    assert chart.words(table.iloc[1]) == text and table["cheapest"].iloc[1] == "rods"
 
 
 # Contacts of one effective mass, damped for it, part with e: nothing missed. Of two rods, one e'.
@@ -315,12 +481,16 @@ def test_kept_page(tmp_path):
 
 
 def test_kept_page_of_beds(tmp_path):
-    reference = yaml.safe_load((STUDY / "config.yaml").read_text())["bed_reference"]
+    config = yaml.safe_load((STUDY / "config.yaml").read_text())
+    reference = config["bed_reference"]
+    planned = Counter(case for _, case in beds.jobs(
+        config, [f"{a:g}" for a in config["bed_lambdas"]], config["bed_seeds"]))
     runs = rows.read_rows(STUDY / "results" / "bed_runs.csv")
     rows.write_rows(tmp_path / "beds.csv", beds.charted(runs, reference))
     assert (tmp_path / "beds.csv").read_bytes() == (STUDY / "results/beds.csv").read_bytes()
     pages.render(STUDY / "beds.md.j2", tmp_path / "beds.md", beds.page_values(
-        runs, rows.read_rows(tmp_path / "beds.csv"), reference, "results/"))
+        runs, rows.read_rows(tmp_path / "beds.csv"), reference, "results/", planned,
+        float(config["bed_time"])))
     assert (tmp_path / "beds.md").read_text() == (STUDY / "beds.md").read_text()
 
 
