@@ -14,10 +14,11 @@ from PIL import Image
 
 COMMON = Path(__file__).resolve().parent
 LARGEST_PAGE = 2_000_000  # bytes
+MINUS = "−"               # a hyphen is shorter and lower
 
 
 def figure(value, digits: int = 3) -> str:
-    """`digits` significant digits, never as 1e+05: 0.000123, 45.6, 12300."""
+    """`digits` significant digits, never as 1e+05: 0.000123, 45.6, −12300."""
     value = float(value)
     if not math.isfinite(value):
         return "–"
@@ -25,13 +26,13 @@ def figure(value, digits: int = 3) -> str:
         return "0"
     rounded = float(f"{value:.{digits - 1}e}")
     decimals = max(0, digits - 1 - math.floor(math.log10(abs(rounded))))
-    return f"{rounded:.{decimals}f}"
+    return f"{rounded:.{decimals}f}".replace("-", MINUS)
 
 
 def fixed(value, decimals: int = 2) -> str:
     """So many digits after the point; a dash for no number."""
     value = float(value)
-    return f"{value:.{decimals}f}" if math.isfinite(value) else "–"
+    return f"{value:.{decimals}f}".replace("-", MINUS) if math.isfinite(value) else "–"
 
 
 def power(value, digits: int = 1) -> str:
@@ -43,7 +44,7 @@ def power(value, digits: int = 1) -> str:
         return "0"
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
     raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    return f"10{raised}" if mantissa == "1" else f"{mantissa}·10{raised}"
+    return f"10{raised}" if mantissa == "1" else f"{mantissa.replace('-', MINUS)}·10{raised}"
 
 
 def with_error(pair, decimals: int = 4) -> str:

@@ -33,23 +33,24 @@ class Equivalence:
     equivalent: bool   # the interval lies within ±bound
 
 
-def equivalence(pairs, bound: float, alpha: float = 0.05) -> Equivalence:
+def equivalence(pairs, bound: float, alpha: float = 0.05, paired: bool = False) -> Equivalence:
     """Two one-sided tests (Schuirmann 1987): whether the means of a and b, of each of the `pairs`
     (a, b) of samples, differ by less than `bound` of that of a, in the mean over the pairs. To first
-    order in the errors of the means, with Welch's degrees of freedom."""
+    order in the errors of the means, with Welch's degrees of freedom. paired: values of a and b in the
+    same place belong together, and the scatter that they share does not count."""
     if bound <= 0:
         raise ValueError(f"the bound of an equivalence must be > 0 (got {bound})")
     difference, parts = 0.0, []   # variance of a mean, its degrees of freedom
     for pair in pairs:
         a, b = (numpy.asarray(list(values), dtype=float) for values in pair)
-        if min(a.size, b.size) < 2:
+        if min(a.size, b.size) < 2 or (paired and a.size != b.size):
             raise ValueError("an equivalence needs two values or more of each "
-                             f"(got {a.size} and {b.size})")
+                             f"{'and as many, ' if paired else ''}(got {a.size} and {b.size})")
         ratio = b.mean() / a.mean()
         difference += float(ratio - 1) / len(pairs)
-        for values, factor in ((a, ratio), (b, 1.0)):
-            error = factor / a.mean() / len(pairs)
-            parts.append((error ** 2 * values.var(ddof=1) / values.size, values.size - 1))
+        scale = 1.0 / a.mean() / len(pairs)
+        for values in ([b - ratio * a] if paired else [ratio * a, b]):
+            parts.append((scale ** 2 * values.var(ddof=1) / values.size, values.size - 1))
     variance = sum(part for part, _ in parts)
     width = 0.0
     if variance > 0:

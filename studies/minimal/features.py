@@ -160,6 +160,15 @@ def megabytes(log: Path) -> float:
     return float(found[-1])
 
 
+def contacts(folder: Path, scene: dict, change: dict, values: dict, build) -> float:
+    """Contacts a rod of the bed whose steps are counted; NaN of stock spheres."""
+    if change.get("atoms", "spherocylinder") != "spherocylinder":
+        return numpy.nan
+    run = cases.run_deck(folder, "in.cost", values | {"steps": 1, "contacts": 1}, build=build,
+                         name="contacts")
+    return float(cases.read_log(run.log)[-1].iloc[-1]["pairs[1]"])
+
+
 def count(path, name: str, names: list[str], number: int, seed: int, start_steps: int,
           counted_steps: int, build) -> None:
     """Writes a row a change of a scene: instructions a particle and step, and memory."""
@@ -176,11 +185,12 @@ def count(path, name: str, names: list[str], number: int, seed: int, start_steps
                                program=program, build=build, name="start")
         values = variables(scene, change, number, seed, counted_steps, 0)
         run = cases.run_deck(folder, "in.cost", values, program=program, build=build, name="memory")
+        touching = contacts(folder, scene, change, values, build)
         instructions, counting = callgrind(folder, program, build, values)
         result.append({"scene": name, "change": label, "particles": number,
                        "steps": counted_steps,
                        "instructions": instructions / (number * counted_steps),
-                       "megabytes": megabytes(run.log),
+                       "megabytes": megabytes(run.log), "contacts": touching,
                        **provenance(f"{start.command} && {run.command} && {counting}", seed)})
     write_rows(path, result)
 

@@ -35,8 +35,8 @@ def features(table: pandas.DataFrame, stem: Path | str) -> None:
         panel.grid(True, axis="x")
         panel.set_title(SCENES[scene]["title"], loc="left", fontsize=8.5)
     timed = "; bars: time" if "times" in table else ""
-    axes[-1][0].set_xlabel(f"dots: instructions of a step over those of the scene as it is{timed}",
-                           fontsize=8)
+    axes[-1][0].set_xlabel(f"dots: instructions of a step over those of the scene as it is{timed}\n"
+                           "(blue: not more, red: more)", fontsize=8)
     plots.save(figure, stem)
 
 
@@ -57,7 +57,7 @@ def equivalence(table: pandas.DataFrame, stem: Path | str) -> None:
         line[0].set_yticks(range(len(aspects)),
                            [f"λ = {a:g}" if a else "together" for a in aspects])
     for panel in axes[-1]:
-        panel.set_xlabel("difference (%)", fontsize=8)
+        panel.set_xlabel("difference (%)\nblack: paired", fontsize=8)
     plots.save(figure, stem)
 
 
@@ -70,6 +70,8 @@ def draw_equivalence(panel, part: pandas.DataFrame, aspects: list[float]) -> Non
             continue
         d = 100 * part.loc[aspect, ["difference", "low", "high"]].astype(float)
         colour = plots.COLOURS["blue" if part.loc[aspect, "equivalent"] else "vermilion"]
+        paired = 100 * part.loc[aspect, ["paired_low", "paired_high"]].astype(float)
+        panel.plot(paired, [row + 0.22] * 2, color=plots.COLOURS["black"], linewidth=1.0)
         panel.errorbar([d["difference"]], [row],
                        xerr=[[d["difference"] - d["low"]], [d["high"] - d["difference"]]],
                        marker="o", markersize=4, color=colour)

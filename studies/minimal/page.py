@@ -27,7 +27,8 @@ def feature_lines(table: pandas.DataFrame) -> list[list[str]]:
         lines.append([f"**{SCENES[row['scene']]['title']}**" if first else row["change"],
                       figure(row["instructions"], 4),
                       "" if first else percent(row["instructions_times"] - 1, 2),
-                      time, figure(row["megabytes"], 3)])
+                      time, figure(row["megabytes"], 3),
+                      *([figure(row["contacts"], 2)] if "contacts" in table else [])])
     return lines
 
 
@@ -39,14 +40,54 @@ def bed_lines(runs: pandas.DataFrame) -> list[list[str]]:
                                ("contacts", 2)):
             error = part[name].std(ddof=1) / len(part) ** 0.5 if len(part) > 1 else float("nan")
             cells.append(with_error((part[name].mean(), error), decimals))
-        lines.append(cells + [figure(part["cpu_s"].median(), 2)])
+        lines.append(cells + [f"{part['rested'].sum():.0f} of {len(part)}",
+                              figure(part["end_time_s"].median(), 2),
+                              figure(part["cpu_s"].median(), 2)])
     return lines
+
+
+def rested_words(runs: pandas.DataFrame, way: str) -> str:
+    """12, 12 and 5 of 12, by λ."""
+    found = runs[runs["way"] == way].groupby("lambda")["rested"]
+    counts = [str(int(n)) for n in found.sum()]
+    return f"{', '.join(counts[:-1])} and {counts[-1]}" if len(counts) > 1 else counts[0]
+
+
+def saved(runs: pandas.DataFrame) -> str:
+    """Seconds of the default ended at rest, and of quick 1, by λ."""
+    medians = runs.groupby(["lambda", "way"])["cpu_s"].median().unstack()
+    return ", ".join(f"{figure(m['today'], 2)} to {figure(m['quick'], 2)} s (λ = {a:g})"
+                     for a, m in medians.iterrows())
+
+
+def timed_beds(seconds: pandas.DataFrame, runs: pandas.DataFrame) -> list[dict]:
+    """Of each λ's bed that was timed: when it ended by the default, and where that is among the default's
+    beds of all seeds."""
+    result = []
+    for _, row in seconds[seconds["way"] == "full"].iterrows():
+        others = runs[(runs["way"] == "today") & (runs["lambda"] == row["lambda"])
+                      & (runs["limits"] == row["limits"])]["end_time_s"]
+        if len(others):
+            result.append({"aspect": f"{row['lambda']:g}", "end": figure(row["end_time_s"], 3),
+                           "median": figure(others.median(), 3),
+                           "later": int((others > row["end_time_s"]).sum()), "beds": len(others)})
+    return result
+
+
+def shifted(table: pandas.DataFrame) -> list[str]:
+    """Differences whose paired interval has no 0."""
+    found = table[(table["paired_low"] > 0) | (table["paired_high"] < 0)]
+    return [f"{QUANTITIES[row['quantity']]}, "
+            f"{'λ = ' + format(row['lambda'], 'g') if row['lambda'] else 'all λ together'}: "
+            f"{percent(row['difference'])} ({percent(row['paired_low'])} to {percent(row['paired_high'])})"
+            for _, row in found.iterrows()]
 
 
 def equivalence_lines(table: pandas.DataFrame) -> list[list[str]]:
     return [[row["limits"], f"{row['lambda']:g}" if row["lambda"] else "together", QUANTITIES[row["quantity"]],
              f"{row['beds_today']:.0f}, {row['beds_quick']:.0f}", percent(row["difference"]),
              f"{percent(row['low'])} to {percent(row['high'])}",
+             f"{percent(row['paired_low'])} to {percent(row['paired_high'])}",
              "yes" if row["equivalent"] else "not shown"] for _, row in table.iterrows()]
 
 
@@ -54,13 +95,21 @@ def second_lines(table: pandas.DataFrame) -> list[list[str]]:
     lines = []
     for (aspect, limits), part in table.groupby(["lambda", "limits"]):
         part = part.set_index("way")
+        ends = [figure(part.loc[way, "end_time_s"], 2)
+                + ("" if part.loc[way, "rested"] else ", not at rest") for way in ("full", "quick")]
         lines.append([f"{aspect:g}", limits, figure(part.loc["full", "seconds"], 3),
-                      figure(part.loc["full", "seconds_to_rest"], 3),
-                      figure(part.loc["quick", "seconds"], 3),
-                      f"{figure(part.loc['full', 'rested_at_s'], 2)}, "
-                      f"{figure(part.loc['quick', 'rested_at_s'], 2)}",
+                      figure(part.loc["quick", "seconds"], 3), *ends,
                       figure(part.loc["quick", "times_fewer"], 2)])
     return lines
+
+
+def contact_lines(table: pandas.DataFrame) -> str:
+    """Of each scene as it is."""
+    if "contacts" not in table:
+        return ""
+    first = table[table["change"] == "as it is"]
+    return ", ".join(f"{SCENES[row['scene']]['title']} {figure(row['contacts'], 2)}"
+                     for _, row in first.iterrows())
 
 
 def off_costs(table: pandas.DataFrame) -> dict:
@@ -102,7 +151,12 @@ def values(runs, equivalence, seconds, features, bound: float) -> dict:
         "features": feature_lines(features), "off": off_costs(features),
         "beds": bed_lines(runs), "equivalence": equivalence_lines(equivalence),
         "seconds": second_lines(seconds), "bound": 100 * bound,
-        "shown": len(shown), "asked": len(equivalence),
+        "shown": len(shown), "asked": len(equivalence), "shifted": shifted(equivalence),
+        "timed_beds": timed_beds(seconds, runs), "saved": saved(runs),
+        "rested": {way: rested_words(runs, way) for way in ("today", "quick")},
+        "aspects": ", ".join(f"{a:g}" for a in sorted(runs["lambda"].unique())),
+        "beds_each": int(runs.groupby(["lambda", "limits", "way"]).size().max()),
+        "contacts": contact_lines(features),
         "machine": " and ".join(sorted({machine for table in (runs, seconds, features)
                                         for machine in table.get("machine", []) if machine == machine})),
         "turns": int(seconds["turns"].iloc[0]) if len(seconds) else 0,

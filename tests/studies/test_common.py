@@ -38,6 +38,13 @@ def test_equivalence():
     assert two.equivalent and not statistics.equivalence([pair, pair], bound=0.53).equivalent
     apart = statistics.equivalence([pair, ([1, 2, 3], [2, 3, 4])], bound=0.1)
     assert apart.difference == pytest.approx(0.25) and not apart.equivalent
+    # Paired: of b − a = 2, −1, −1 at equal means √3 of scatter, Student's 95 % of 2 degrees of freedom.
+    both = statistics.equivalence([pair], bound=1.5, paired=True)
+    assert both.high == pytest.approx(2.919986 * math.sqrt(3 / 3) / 2, rel=1e-6)
+    same = statistics.equivalence([([1, 2, 3], [1.1, 2.2, 3.3])], bound=0.11, paired=True)
+    assert (same.low, same.high) == (pytest.approx(0.1), pytest.approx(0.1)) and same.equivalent
+    with pytest.raises(ValueError, match="and as many"):
+        statistics.equivalence([([1, 2, 3], [1, 2])], bound=1, paired=True)
     with pytest.raises(ValueError, match="two values or more of each"):
         statistics.equivalence([([1], [2, 3])], bound=1)
     with pytest.raises(ValueError, match="must be > 0"):
@@ -241,6 +248,9 @@ def test_numbers_of_pages():
     assert [pages.figure(x) for x in (0.000123456, 45.64, 12345, 0.9999, 0)] == \
         ["0.000123", "45.6", "12300", "1.00", "0"]
     assert pages.power(6.1e-6) == "6·10⁻⁶"
+    # With the sign for minus, not a hyphen.
+    assert (pages.power(-4e-6), pages.fixed(-0.18, 2), pages.figure(-45.64)) == (
+        "−4·10⁻⁶", "−0.18", "−45.6")
     assert pages.with_error((0.34567, 0.0032)) == "0.3457 ± 0.0032"
     assert pages.with_error((0.34567, math.nan)) == "0.3457"
 
