@@ -419,7 +419,7 @@ def page_values(runs: pandas.DataFrame, charted_rows: pandas.DataFrame, referenc
     fallen, all_runs, runs = fallen_lines(runs), runs, standing(runs)
     spheres = runs[runs["method"] == "multisphere"]
     return {"fallen": fallen, "beds": bed_lines(runs, planned), "cheapest": cheapest(charted_rows),
-            "limits": limits_found, "kept": kept_lines(kept_found),
+            "limits": limits_found, "kept": kept_lines(kept_found) if len(kept_found) else [],
             "kept_words": kept_words(kept_found) if len(kept_found) else [],
             "bound": 100 * BOUND, "elevation_apart": apart(runs, reference),
             "most": against_most(runs), "few": few(runs), "made": made,

@@ -143,6 +143,8 @@ def test_which_settings_keep_the_bed():
     assert row["kept"] and not found.loc[(0.1, 0.22, "vf_inner"), "kept"]
     assert beds.kept_lines(found.reset_index())[1][:5] == ["1", "0.22", "10", "3",
                                                            "**−1.1 to +2.1**"]
+    # Without beds of the default there is nothing to be kept.
+    assert beds.kept(pandas.DataFrame(table[3:])).empty
 
 
 # A bed that ends in an error of LIGGGHTS is a row, and a line of its own on the page.
