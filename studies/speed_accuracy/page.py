@@ -2,6 +2,8 @@
 """What the page says, from the CSV files and config.yaml."""
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 import pandas
 
@@ -13,10 +15,16 @@ def span(table: pandas.DataFrame, column: str) -> dict:
     return {"least": f"{table[column].min():g}", "most": f"{table[column].max():g}"}
 
 
+@functools.lru_cache
+def wall(aspect: float, copies: int, seed: int) -> scenes.Scene:
+    """Kept, since it takes a second."""
+    return scenes.build("wall", aspect, copies, seed)
+
+
 def restitution_missed(aspect: float, copies: int, seed: int, rule: str) -> float:
     """The error of the impulse at a wall by one damping for contacts of all effective masses m_eff:
     each parts with e' = exp(−π ζ'/√(1 − ζ'²)), ζ' = ζ √(m/m_eff), instead of e."""
-    scene = scenes.build("wall", aspect, copies, seed)
+    scene = wall(aspect, copies, seed)
     arm = 0.5 * scene.rod.height * scene.start.axis
     mass = 1.0 / rods.inverse_mass(scene.rod, arm, scenes.UP)
     given = scene.nominal_mass if rule == "nominal" else scene.mean_mass
