@@ -191,7 +191,7 @@ def test_the_smallest_run(study, tmp_path):
 
 
 @pytest.mark.parametrize("setting, words", [
-    ("seeds=1", "sensitivity: seeds must be a number from 2 to 8 (got 1)"),
+    ("seeds=1", "sensitivity: seeds must be a whole number from 2 to 8 (got 1)"),
     ("only=[fiction]", "sensitivity: only must be among friction, "),
     ("there=1", "there=1 finds no bed")])
 def test_wrong_settings_are_refused(study, setting, words):
