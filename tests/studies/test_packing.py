@@ -310,10 +310,10 @@ def test_the_smallest_run(study, tmp_path, programs):
 
 
 @pytest.mark.parametrize("setting, words", [
-    ("seeds=0", "packing: seeds must be a number from 1 to 10 (got 0)"),
+    ("seeds=0", "packing: seeds must be a whole number from 1 to 10 (got 0)"),
     ("friction=-1", "packing: friction must be a number >= 0 (got -1"),
     ("add=1", "beds.csv is not there: without add=1 it is made anew"),
-    ("seeds=many", "packing: seeds must be a number from 1 to 10 (got many)"),
+    ("seeds=many", "packing: seeds must be a whole number from 1 to 10 (got many)"),
     ("lambdas=[10,inf]", "packing: lambdas must be a number >= 1 (got inf)"),
     ("lambdas=[15]", "packing: lambda 15 is not in Table 1 of the study"),
     ("limits=[some]", "packing: limits must be among study, none (got some)"),
