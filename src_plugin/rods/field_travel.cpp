@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "rods/field_travel.h"
 
+#include <cstring>
+#include <type_traits>
+
 #include "host/buffer_values.h"
 #include "rods/field_arrays.h"
 
@@ -9,12 +12,17 @@ namespace sc = spherocylinder;
 
 namespace {
 
-template <int SENT, typename T>
-double *gather(const T *rows, int width, const int *list, int n, double *out)
+// `gain`: of three values, added to each.
+template <int SENT, int WIDTH, bool GAINS, typename T>
+double *gather(const T *__restrict__ rows, const int *list, int n, const double *gain,
+               double *__restrict__ out)
 {
   for (int k = 0; k < n; k++) {
-    const T *row = rows + static_cast<size_t>(width) * list[k];
-    for (int d = 0; d < SENT; d++) *out++ = as_sent(row[d]);
+    const T *row = rows + static_cast<size_t>(WIDTH) * list[k];
+    for (int d = 0; d < SENT; d++) out[d] = as_sent(row[d]);
+    if (GAINS)
+      for (int d = 0; d < SENT; d++) out[d] += gain[d];
+    out += SENT;
   }
   return out;
 }
@@ -22,19 +30,24 @@ double *gather(const T *rows, int width, const int *list, int n, double *out)
 template <typename T>
 double *gather(const T *rows, const RodField &field, const int *list, int n, double *out)
 {
+  if (field.sent != field.width) return gather<1, 3, false>(rows, list, n, nullptr, out);  // shape
   switch (field.sent) {
-    case 1: return gather<1>(rows, field.width, list, n, out);
-    case 3: return gather<3>(rows, field.width, list, n, out);
-    default: return gather<4>(rows, field.width, list, n, out);
+    case 1: return gather<1, 1, false>(rows, list, n, nullptr, out);
+    case 3: return gather<3, 3, false>(rows, list, n, nullptr, out);
+    default: return gather<4, 4, false>(rows, list, n, nullptr, out);
   }
 }
 
 template <typename T>
 const double *scatter(const double *in, const RodField &field, int first, int n, T *rows)
 {
-  for (int i = first; i < first + n; i++)
-    for (int d = 0; d < field.sent; d++)
-      receive(*in++, rows[static_cast<size_t>(field.width) * i + d]);
+  T *row = rows + static_cast<size_t>(field.width) * first;
+  if (std::is_same_v<T, double> && field.sent == field.width) {
+    memcpy(row, in, sizeof(double) * field.width * n);
+    return in + static_cast<size_t>(field.width) * n;
+  }
+  for (int k = 0; k < n; k++, row += field.width)
+    for (int d = 0; d < field.sent; d++) receive(*in++, row[d]);
   return in;
 }
 
@@ -46,12 +59,15 @@ int LAMMPS_NS::pack_rod_fields(Atom &atom, unsigned travel, int n, const int *li
                                const GhostGain &gain, double *buf)
 {
   const bool gains_period = !is_zero(gain.period), gains_box_speed = gain.box_speed_groups != 0;
+  double period[3];
+  sc::store(gain.period, period);
   double *out = buf;
   for_each_field(atom, travel, [&](auto *rows, const RodField &field) {
     double *const sent = out;
-    out = gather(rows, field, list, n, sent);
     if (gains_period && (field.travel & kGainsPeriod))
-      for (int k = 0; k < n; k++) sc::add_to(&sent[3 * k], gain.period);
+      out = gather<3, 3, true>(rows, list, n, period, sent);
+    else
+      out = gather(rows, field, list, n, sent);
     if (gains_box_speed && (field.travel & kGainsBoxSpeed))
       for (int k = 0; k < n; k++)
         if (atom.mask[list[k]] & gain.box_speed_groups) sc::add_to(&sent[3 * k], gain.box_speed);

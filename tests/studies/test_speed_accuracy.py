@@ -333,7 +333,8 @@ def test_damping_of_a_contact_gives_the_restitution():
 # Costs that change move the fronts: what comes to be on them is timed too, so that no answer mixes one turn
 # with several.
 def test_all_of_the_front_is_timed(tmp_path, monkeypatch):
-    first = pandas.DataFrame([row("rods", c, e) | {"stiffness": k, "turns": 1, "ended": ""}
+    more = {"turns": 1, "ended": "", "command": "sweep"}
+    first = pandas.DataFrame([row("rods", c, e) | {"stiffness": k, **more}
                               for k, (c, e) in enumerate([(1.0, 0.1), (1.2, 0.09), (1.3, 0.05),
                                                           (9.0, 0.3)])])
     other = first.assign(scene="flat")
@@ -351,6 +352,7 @@ def test_all_of_the_front_is_timed(tmp_path, monkeypatch):
     assert asked == [[0, 1, 2], [3]]
     assert list(table["scene"].unique()) == ["wall"]
     assert (sweep.front(table)["turns"] == 3).all() and table["timed_version"].ne("").all()
+    assert set(table["command"]) == {"sweep && x"}
     assert list(table["cost_min"]) == [20.0] * 4 and list(table["cost_max"]) == [40.0] * 4
 
 
