@@ -356,8 +356,7 @@ def test_all_of_the_front_is_timed(tmp_path, monkeypatch):
     assert list(table["cost_min"]) == [20.0] * 4 and list(table["cost_max"]) == [40.0] * 4
 
 
-# Of the kept rows too. Not yet so: snakemake --config scenes_kept=1 beds_kept=1 makes it so.
-@pytest.mark.xfail(strict=True, reason="points of the kept fronts were timed once")
+# Of the kept rows too.
 def test_kept_fronts_are_timed_in_turns():
     table = rows.read_rows(STUDY / "results/scenes.csv")
     assert (sweep.front(chart.standing(table))["turns"] >= 3).all()
