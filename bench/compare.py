@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Two builds of the plug-in on the same scenes, in turns: what a change costs or saves.
     compare.py BEFORE AFTER [--scenes bed gas] [--turns 5] [--longer 4] [--folder DIR] [--out CSV]
+    compare.py BEFORE AFTER --count 100 ...
 BEFORE and AFTER are folders of programs, as build/release. A row a case: microseconds a rod and step of
 both, and how many times those of BEFORE those of AFTER are, the median over the turns, in each of which
-they run one after the other, in either order. Run it on a machine that does nothing else."""
+they run one after the other, in either order: on a machine that does nothing else. With --count
+instructions of so many steps instead, by valgrind, once each: the same on any machine at any time, and
+blind to what memory costs. (valgrind has no AVX-512: loops of eight at a time run as those of four.)"""
 from __future__ import annotations
 
 import argparse
@@ -26,6 +29,22 @@ CASES = [("bed", 10, 500), ("bed", 20, 700), ("bed", 30, 700), ("fill", 10, 500)
          ("dilute", 30, 2000), ("dense", 10, 2000), ("periodic_bed", 30, 2000)]
 
 
+def counts(scene: str, aspect: int, count: int, builds: dict[str, Path], steps: int,
+           folder: Path) -> dict:
+    instructions, sums = {}, {}
+    for name, build in builds.items():
+        found, _ = cases.run_counted(folder, "in.time_plugin",
+                                     {**speed.variables(scene, aspect, count), "steps": steps},
+                                     build=build.resolve(), name=f"count_{name}")
+        instructions[name] = found / (steps * count)
+        sums[name] = speed.checksum(folder / "dump.final")
+    return {"scene": scene, "lambda": aspect, "rods": count, "steps": steps,
+            "instructions_before": f"{instructions['before']:.1f}",
+            "instructions_after": f"{instructions['after']:.1f}",
+            "after_over_before": f"{instructions['after'] / instructions['before']:.4f}",
+            "same_end": sums["before"] == sums["after"]}
+
+
 def compare(scene: str, aspect: int, count: int, given: argparse.Namespace) -> dict:
     builds = {"before": given.before, "after": given.after}
     settings = {**SETTINGS, "largest_peer": 0}
@@ -35,6 +54,8 @@ def compare(scene: str, aspect: int, count: int, given: argparse.Namespace) -> d
     if not (folder / "restart.start").exists():
         speed.start(scene, aspect, count, settings, given.before, folder)
     speed.link_all(folder)
+    if given.count:
+        return counts(scene, aspect, count, builds, given.count, folder)
     us: dict[str, list[float]] = {name: [] for name in builds}
     sums = {}
     for turn in range(given.turns):
@@ -59,6 +80,8 @@ def main() -> None:
     parser.add_argument("--scenes", nargs="+", default=sorted(speed.SCENES), choices=speed.SCENES)
     parser.add_argument("--turns", type=int, default=5)
     parser.add_argument("--longer", type=int, default=4, help="times the steps of bench/config.yaml")
+    parser.add_argument("--count", type=int, default=0, metavar="STEPS",
+                        help="count instructions of so many steps in place of timing")
     parser.add_argument("--folder", type=Path, default=HERE.parent / "build/studies/compare")
     parser.add_argument("--out", type=Path)
     given = parser.parse_args()

@@ -39,6 +39,9 @@ void ContactMonitor::see(const ContactBatch &batch)
   const double dt = update->dt;
   // The step is too long where stiffness * threshold > m_eff.
   const double threshold = dt * dt / (4.0 * kWarnedFraction * kWarnedFraction);
+  // A wall's contact is over the diameter, twice the sum of the radii.
+  const double deepest = largest_overlap_ * (batch.is_wall ? 2.0 : 1.0);
+  if (!any_deeper_or_stiffer(batch.arms, batch.loads, deepest, threshold, batch.count)) return;
   for (int k = 0; k < batch.count; k++) {
     if (!batch.can_move(k)) continue;
     const int i = batch.i[k];

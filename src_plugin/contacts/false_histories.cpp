@@ -19,11 +19,11 @@ constexpr double kFarthestMove = 0.5;
 
 }  // namespace
 
-void FalseHistories::drop(const std::vector<TouchingRodPairs::Touch> &touching,
-                          const std::vector<Capsule> &rods, int **flags, double **histories,
-                          int dnum, int side_offset)
+void FalseHistories::drop(const TouchingRodPairs &touching, const std::vector<Capsule> &rods,
+                          int **flags, double **histories, int dnum, int side_offset)
 {
-  for (const TouchingRodPairs::Touch &touch : touching) {
+  for (int n = 0; n < touching.count(); n++) {
+    const TouchingRodPairs::Touch touch = touching.touch(n);
     if (!flags[touch.i][touch.index]) continue;
     double *history = &histories[touch.i][dnum * touch.index];
     const Vec3 side = load(history + side_offset);

@@ -18,9 +18,8 @@ class FalseHistories : protected Pointers {
   // To be called whenever histories come from elsewhere or a command may have moved rods: in the step
   // after LIGGGHTS has handed rods over, and in the first one of a run. `flags`, `histories`: rows of
   // LIGGGHTS's list, with dnum values a pair, the remembered side at side_offset.
-  void drop(const std::vector<TouchingRodPairs::Touch> &touching,
-            const std::vector<spherocylinder::Capsule> &rods, int **flags, double **histories,
-            int dnum, int side_offset);
+  void drop(const TouchingRodPairs &touching, const std::vector<spherocylinder::Capsule> &rods,
+            int **flags, double **histories, int dnum, int side_offset);
 
  private:
   bool warned_ = false;

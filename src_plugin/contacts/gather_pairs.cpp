@@ -11,34 +11,17 @@
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
-namespace {
-
-void set_place(ContactBatch &batch, int k, const RodPairGeometry &place, const Vec3 &axis_i,
-               const Vec3 &axis_j)
-{
-  ContactArms &arms = batch.arms;
-  arms.arm_i.set(k, place.s * axis_i);
-  arms.arm_j.set(k, place.t * axis_j);
-  arms.normal.set(k, place.normal);
-  arms.distance[k] = place.distance;
-  arms.overlap[k] = place.overlap;
-  arms.mass_share[k] = place.share;
-}
-
-}  // namespace
-
 void PairGatherer::read_rod(int i)
 {
   rods_[i] = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(i);
-  motions_[i].velocity = load(atom->v[i]);
-  motions_[i].omega = load(atom->omega[i]);
+  states_[i] = {load(atom->v[i]), load(atom->omega[i]), rods_[i].segment.axis};
 }
 
 void PairGatherer::read_rods(bool all, const std::vector<int> &ghosts)
 {
   const int owned = atom->nlocal, nall = owned + atom->nghost;
   rods_.resize(nall);
-  motions_.resize(nall);
+  states_.resize(nall);
   for (int i = 0; i < (all ? nall : owned); i++) read_rod(i);
   if (!all)
     for (const int i : ghosts) read_rod(i);
@@ -48,29 +31,25 @@ void PairGatherer::read_masses(int frozen_groups, bool effective_mass)
 {
   const int nall = atom->nlocal + atom->nghost;
   const int driven = groups_with_driven_centres(lmp);
+  inverses_.resize(nall);
   kinds_.clear();
   for (int i = 0; i < nall; i++) {
     const bool frozen = atom->mask[i] & frozen_groups;
-    motions_[i].inverse = {frozen ? 0.0 : 1.0 / atom->rmass[i],
-                           frozen || !effective_mass ? 0.0 : 1.0 / atom->inertia[i][0],
-                           (atom->mask[i] & driven) != 0};
-    kinds_.add(atom->type[i], rods_[i], motions_[i].inverse);
+    inverses_[i] = {frozen ? 0.0 : 1.0 / atom->rmass[i],
+                    frozen || !effective_mass ? 0.0 : 1.0 / atom->inertia[i][0],
+                    (atom->mask[i] & driven) != 0};
+    kinds_.add(atom->type[i], rods_[i], inverses_[i]);
   }
 }
 
-void PairGatherer::set_motion(ContactArms &arms, int k, int i, int j) const
-{
-  arms.velocity_i.set(k, motions_[i].velocity);
-  arms.velocity_j.set(k, motions_[j].velocity);
-  arms.omega_i.set(k, motions_[i].omega);
-  arms.omega_j.set(k, motions_[j].omega);
-}
-
-void PairGatherer::set_kinds(ContactBatch &batch, int k) const
+void PairGatherer::set_kind(ContactBatch &batch, int k) const
 {
   const int i = batch.i[k], j = batch.j[k];
+  const int64_t kind = kinds_.of_pair(i, j);
+  if (kind != RodKinds::kNone && kind == batch.kind[k]) return;
+  batch.kind[k] = kind;
   ContactArms &arms = batch.arms;
-  const InverseInertia &own_i = motions_[i].inverse, &own_j = motions_[j].inverse;
+  const InverseInertia &own_i = inverses_[i], &own_j = inverses_[j];
   const InverseInertia inverse_i = shown_to(own_j, own_i), inverse_j = shown_to(own_i, own_j);
   arms.inverse_mass_i[k] = inverse_i.mass;
   arms.inverse_mass_j[k] = inverse_j.mass;
@@ -85,39 +64,51 @@ void PairGatherer::set_kinds(ContactBatch &batch, int k) const
   batch.type_j[k] = atom->type[j];
 }
 
-void PairGatherer::fill(ContactBatch &batch, const std::vector<TouchingRodPairs::Touch> &touching,
-                        size_t first, const PairHistories &histories, bool spread)
+// What is not just the closest points of two axes that differ.
+void PairGatherer::place_otherwise(ContactBatch &batch, int k, const TouchingRodPairs::Touch &touch,
+                                   const double *side, bool spread) const
+{
+  const RodPairGeometry place = geometry_of(touch, rods_, atom->tag, side, spread);
+  ContactArms &arms = batch.arms;
+  arms.arm_i.set(k, place.s * rods_[touch.i].segment.axis);
+  arms.arm_j.set(k, place.t * rods_[touch.j].segment.axis);
+  arms.normal.set(k, place.normal);
+  arms.distance[k] = place.distance;
+  arms.overlap[k] = place.overlap;
+  arms.mass_share[k] = place.share;
+  arms.side.set(k, kZero);  // which has been minded
+  if (spread && touch.nearly_parallel)
+    batch.spread[batch.spread_count++] = {k, place.sideways, place.couple_i, place.couple_j};
+}
+
+void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching, int first,
+                        const PairHistories &histories, bool spread)
 {
   ContactArms &arms = batch.arms;
-  batch.count = static_cast<int>(std::min<size_t>(kBatch, touching.size() - first));
-  batch.spread_count = 0;
+  batch.count = std::min(kBatch, touching.count() - first);
   const bool remember = histories.remember_sides();
   for (int k = 0; k < batch.count; k++) {
-    const TouchingRodPairs::Touch &touch = touching[first + k];
-    const int i = touch.i, j = touch.j;
-    const Capsule &rod_i = rods_[i], &rod_j = rods_[j];
+    const CloseRodPairs::Entry &pair = touching.pair(first + k);
+    const int i = pair.i, j = pair.j;
     batch.i[k] = i;
     batch.j[k] = j;
-    batch.flags[k] = histories.flags_of(i, touch.index);
-    batch.history[k] = histories.values_of(i, touch.index);
-    const double *side = remember ? batch.history[k] + histories.side : nullptr;
-
-    // Few contacts need more than their closest points; what geometry_of gives minds the side.
-    if (touch.distance == 0.0 || (spread && touch.nearly_parallel)) {
-      const RodPairGeometry place = geometry_of(touch, rods_, atom->tag, side, spread);
-      set_place(batch, k, place, rod_i.segment.axis, rod_j.segment.axis);
-      arms.side.set(k, kZero);
-      if (spread && touch.nearly_parallel)
-        batch.spread[batch.spread_count++] = {k, place.sideways, place.couple_i, place.couple_j};
-    } else {
-      set_place(batch, k, closest_geometry(touch, rod_i.radius + rod_j.radius), rod_i.segment.axis,
-                rod_j.segment.axis);
-      arms.side.set(k, side ? load(side) : kZero);
-    }
-    set_motion(arms, k, i, j);
-    const int64_t kind = kinds_.of_pair(i, j);
-    const bool is_known = kind != RodKinds::kNone && kind == batch.kind[k];
-    batch.kind[k] = kind;
-    if (!is_known) set_kinds(batch, k);
+    batch.flags[k] = histories.flags_of(i, pair.index);
+    batch.history[k] = histories.values_of(i, pair.index);
+    state_i_[k] = &states_[i];
+    state_j_[k] = &states_[j];
+    arms.side.set(k, remember ? load(batch.history[k] + histories.side) : kZero);
   }
+  const int64_t kind_of_all = kinds_.of_all_pairs();
+  if (kind_of_all == RodKinds::kNone || any_differs(batch.kind, kind_of_all, batch.count))
+    for (int k = 0; k < batch.count; k++) set_kind(batch, k);
+
+  const ClosestLanes points = touching.lanes(first);
+  std::fill(state_i_ + batch.count, state_i_ + kBatch, state_i_[0]);
+  std::fill(state_j_ + batch.count, state_j_ + kBatch, state_j_[0]);
+  batch.spread_count = 0;
+  if (place_at_closest_points(arms, state_i_, state_j_, points, batch.count)) return;
+  for (int k = 0; k < batch.count; k++)
+    if (points.distance_squared[k] == 0.0 || (spread && points.nearly_parallel[k] != 0.0))
+      place_otherwise(batch, k, touching.touch(first + k),
+                      remember ? batch.history[k] + histories.side : nullptr, spread);
 }

@@ -11,13 +11,6 @@
 
 namespace LAMMPS_NS {
 
-// What a contact needs of a rod's motion.
-struct RodMotion {
-  spherocylinder::Vec3 velocity, omega;
-  // Of the effective mass: zero for a frozen rod, its turning zero with effective_mass off.
-  spherocylinder::InverseInertia inverse;
-};
-
 // Where LIGGGHTS keeps the contacts of pairs, rows of the neighbour list; null where there is none.
 struct PairHistories {
   int **flags = nullptr;
@@ -46,17 +39,23 @@ class PairGatherer : protected Pointers {
 
   // As many of the touching pairs as a batch holds, from the one numbered `first`. `spread`: nearly
   // parallel rods are spread over.
-  void fill(ContactBatch &batch, const std::vector<TouchingRodPairs::Touch> &touching, size_t first,
+  void fill(ContactBatch &batch, const TouchingRodPairs &touching, int first,
             const PairHistories &histories, bool spread);
 
  private:
   std::vector<spherocylinder::Capsule> rods_;
-  std::vector<RodMotion> motions_;
+  std::vector<spherocylinder::RodState> states_;
+  // Of the effective mass: zero for a frozen rod, its turning zero with effective_mass off.
+  std::vector<spherocylinder::InverseInertia> inverses_;
   RodKinds kinds_;
+  // Of the batch.
+  const spherocylinder::RodState *state_i_[spherocylinder::kBatch],
+      *state_j_[spherocylinder::kBatch];
 
   void read_rod(int i);
-  void set_motion(spherocylinder::ContactArms &arms, int k, int i, int j) const;
-  void set_kinds(ContactBatch &batch, int k) const;
+  void set_kind(ContactBatch &batch, int k) const;
+  void place_otherwise(ContactBatch &batch, int k, const TouchingRodPairs::Touch &touch,
+                       const double *side, bool spread) const;
 };
 
 }  // namespace LAMMPS_NS

@@ -120,11 +120,10 @@ void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool mig
 
   int **flags = pair.listgranhistory ? pair.listgranhistory->firstneigh : nullptr;
   double **values = pair.listgranhistory ? pair.listgranhistory->firstdouble : nullptr;
-  touching_pairs_.find(close_pairs_.entries(), gatherer_.rods(), atom->tag, flags);
+  touching_pairs_.find(close_pairs_.entries(), gatherer_.rods(), flags);
   if (side_ >= 0 && (migrated || run_begins))
-    false_histories_.drop(touching_pairs_.touching(), gatherer_.rods(), flags, values, pair.dnum(),
-                          side_);
-  close_pairs_.counts().touching = static_cast<int64_t>(touching_pairs_.touching().size());
+    false_histories_.drop(touching_pairs_, gatherer_.rods(), flags, values, pair.dnum(), side_);
+  close_pairs_.counts().touching = touching_pairs_.count();
 }
 
 void GranularPairSpherocylinder::compute_force(PairGran *pair, int eflag, int vflag, int)
@@ -173,10 +172,10 @@ void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &h
 
   ContactLaw &law = laws_.chosen();
   const bool springs_go_on = pair.computeflag() && pair.shearupdate();
-  const std::vector<TouchingRodPairs::Touch> &touching = touching_pairs_.touching();
-  for (size_t first = 0; first < touching.size(); first += kBatch) {
-    gatherer_.fill(batch_, touching, first, histories, laws_.keywords().spread_contact);
+  for (int first = 0; first < touching_pairs_.count(); first += kBatch) {
+    gatherer_.fill(batch_, touching_pairs_, first, histories, laws_.keywords().spread_contact);
     law.evaluate(batch_);
+    relative_overlaps(batch_.arms, batch_.depth);
     add_spread(batch_);
     look_for_sudden_overlaps();
     if (springs_go_on && histories.remember_sides()) keep_sides();
@@ -188,15 +187,14 @@ void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &h
 
 void GranularPairSpherocylinder::look_for_sudden_overlaps()
 {
+  if (!any_above(batch_.depth, SuddenOverlaps::kWatched, batch_.count)) return;
   for (int k = 0; k < batch_.count; k++)
-    sudden_overlaps_.look(batch_.i[k], batch_.j[k], batch_.arms.overlap[k] / batch_.reach(k),
-                          batch_.can_move(k));
+    sudden_overlaps_.look(batch_.i[k], batch_.j[k], batch_.depth[k], batch_.can_move(k));
 }
 
 void GranularPairSpherocylinder::keep_sides()
 {
   for (int k = 0; k < batch_.count; k++)
     if (batch_.can_move(k))
-      store(remembered_side(batch_.arms.normal.get(k), batch_.arms.overlap[k] / batch_.reach(k)),
-            batch_.history[k] + side_);
+      store(remembered_side(batch_.arms.normal.get(k), batch_.depth[k]), batch_.history[k] + side_);
 }

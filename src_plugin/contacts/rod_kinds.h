@@ -22,6 +22,7 @@ class RodKinds {
     generation_++;
     known_.clear();
     of_rods_.clear();
+    has_unknown_ = false;
   }
 
   void add(int type, const spherocylinder::Capsule &rod,
@@ -32,6 +33,7 @@ class RodKinds {
     int k = of_rods_.empty() ? kUnknown : of_rods_.back();  // often that of the rod before
     if (k == kUnknown || !(known_[k] == kind))
       for (k = 0; k < static_cast<int>(known_.size()) && !(known_[k] == kind);) k++;
+    has_unknown_ |= k == kMost;
     if (k == kMost)
       k = kUnknown;
     else if (k == static_cast<int>(known_.size()))
@@ -39,6 +41,11 @@ class RodKinds {
     of_rods_.push_back(k);
   }
 
+  // Of any two rods, where all are of one kind; else kNone.
+  int64_t of_all_pairs() const
+  {
+    return known_.size() == 1 && !has_unknown_ ? generation_ * kMost * kMost : kNone;
+  }
   // Of two rods, one number; kNone if one of them has no kind.
   int64_t of_pair(int i, int j) const
   {
@@ -63,6 +70,7 @@ class RodKinds {
   int64_t generation_ = 0;
   std::vector<Kind> known_;
   std::vector<int> of_rods_;
+  bool has_unknown_ = false;
 };
 
 }  // namespace LAMMPS_NS

@@ -44,13 +44,4 @@ RodPairGeometry geometry_of(const TouchingRodPairs::Touch &touch,
                             const std::vector<spherocylinder::Capsule> &rods, const int *tag,
                             const double *side, bool spread);
 
-// The same where it is just the closest points: they differ, the rods are not spread over, and their
-// axes have not passed each other (or the caller minds that). `reach`: sum of the radii.
-inline RodPairGeometry closest_geometry(const TouchingRodPairs::Touch &touch, double reach)
-{
-  return {touch.points.s,  touch.points.t,         (1.0 / touch.distance) * touch.points.delta,
-          touch.distance,  reach - touch.distance, 1.0,
-          {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0},        {0.0, 0.0, 0.0}};
-}
-
 }  // namespace LAMMPS_NS

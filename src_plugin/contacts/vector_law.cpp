@@ -13,6 +13,13 @@
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
+namespace {
+
+constexpr int64_t kNotKnown = -2;  // what no contact has
+static_assert(kNotKnown != RodKinds::kNone);
+
+}  // namespace
+
 VectorLaw::VectorLaw(LAMMPS *lmp, Tangential tangential, const LinearKeywords &keywords, int spring)
     : Pointers(lmp), aspect_scaling_(keywords.aspect_scaling), spring_(spring)
 {
@@ -27,7 +34,7 @@ VectorLaw::VectorLaw(LAMMPS *lmp, Tangential tangential, const LinearKeywords &k
   options_.limit_force = keywords.limit_force;
   options_.slider =
       keywords.limit_tangential_damping ? SliderLimits::WholeForce : SliderLimits::SpringAlone;
-  std::fill_n(kinds_, kBatch, RodKinds::kNone);
+  std::fill_n(kinds_, kBatch, kNotKnown);
 }
 
 std::unique_ptr<VectorLaw> LAMMPS_NS::vector_law(LAMMPS *lmp, StockLaw &models,
@@ -66,7 +73,7 @@ void VectorLaw::begin(const LawStep &step)
 {
   options_.dt = step.dt;
   options_.spring_dt = step.springs_go_on ? step.dt : 0.0;
-  if (properties_have_changed()) std::fill_n(kinds_, kBatch, RodKinds::kNone);
+  if (properties_have_changed()) std::fill_n(kinds_, kBatch, kNotKnown);
 }
 
 void VectorLaw::set_materials(const ContactBatch &batch, int k)
@@ -77,13 +84,14 @@ void VectorLaw::set_materials(const ContactBatch &batch, int k)
   materials_.tangential_stiffness[k] = scale * kt_[itype][jtype];
   materials_.two_beta[k] = -2.0 * beta_[itype][jtype];
   materials_.friction[k] = friction_ ? friction_[itype][jtype] : 0.0;
-  kinds_[k] = batch.kind[k];
+  kinds_[k] = batch.kind[k] == RodKinds::kNone ? kNotKnown : batch.kind[k];
 }
 
 void VectorLaw::evaluate(ContactBatch &batch)
 {
-  for (int k = 0; k < batch.count; k++)
-    if (batch.kind[k] == RodKinds::kNone || batch.kind[k] != kinds_[k]) set_materials(batch, k);
+  if (any_differs(batch.kind, kinds_, batch.count))
+    for (int k = 0; k < batch.count; k++)
+      if (batch.kind[k] != kinds_[k]) set_materials(batch, k);
   const bool has_springs = spring_ >= 0;
   if (has_springs)
     for (int k = 0; k < batch.count; k++)

@@ -4,6 +4,8 @@
 // chosen when the library is loaded, two on any x86-64.
 #pragma once
 
+#include <cstdint>
+
 #include "core/vec3.h"
 
 // Fused multiply-adds stay off, so that every processor gives the same bits.
@@ -32,5 +34,10 @@ struct Vec3s {
     z[k] = a.z;
   }
 };
+
+// Whether any of the first `count` does: so that what is rare costs no branch a pair.
+bool any_above(const double *values, double limit, int count);
+bool any_differs(const std::int64_t *values, std::int64_t from, int count);
+bool any_differs(const std::int64_t *values, const std::int64_t *others, int count);
 
 }  // namespace spherocylinder

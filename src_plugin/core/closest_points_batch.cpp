@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/columns.h"
+
 namespace spherocylinder {
 
 namespace {
@@ -65,6 +67,48 @@ SPHEROCYLINDER_VECTOR void closest_points(SegmentPairs &pairs)
     const double limit = 2.0 * reach * overlap;
     const double below = shorter * shorter * determinant < limit ? 1.0 : 0.0;
     pairs.nearly_parallel[k] = smaller(on_i, on_j) > 0.0 ? below : 0.0;
+  }
+}
+
+SPHEROCYLINDER_VECTOR void set_pairs(SegmentPairs &pairs, const Capsule *const (&i)[kBatch],
+                                     const Capsule *const (&j)[kBatch])
+{
+  // Centre and axis, half length, radius of a capsule, as eight numbers.
+  static_assert(sizeof(Capsule) == 8 * sizeof(double));
+  const auto rows_i = reinterpret_cast<const double *const *>(i);
+  const auto rows_j = reinterpret_cast<const double *const *>(j);
+  for (int k = 0; k < kBatch; k += kFour) {
+    Four head_i[kFour], head_j[kFour], tail_i[kFour], tail_j[kFour];
+    load_columns(rows_i, k, 0, head_i);
+    load_columns(rows_j, k, 0, head_j);
+    load_columns(rows_i, k, 4, tail_i);
+    load_columns(rows_j, k, 4, tail_j);
+    store_column(head_j[0] - head_i[0], pairs.between.x + k);
+    store_column(head_j[1] - head_i[1], pairs.between.y + k);
+    store_column(head_j[2] - head_i[2], pairs.between.z + k);
+    store_column(head_i[3], pairs.axis_i.x + k);
+    store_column(tail_i[0], pairs.axis_i.y + k);
+    store_column(tail_i[1], pairs.axis_i.z + k);
+    store_column(head_j[3], pairs.axis_j.x + k);
+    store_column(tail_j[0], pairs.axis_j.y + k);
+    store_column(tail_j[1], pairs.axis_j.z + k);
+    store_column(tail_i[2], pairs.half_i + k);
+    store_column(tail_j[2], pairs.half_j + k);
+    store_column(tail_i[3] + tail_j[3], pairs.reach + k);
+  }
+}
+
+SPHEROCYLINDER_VECTOR void swap_pairs(SegmentPairs &pairs, const Doubles &swapped)
+{
+  for (int k = 0; k < kBatch; k++) {
+    const bool swap = swapped[k] != 0.0;
+    const double s = pairs.s[k], t = pairs.t[k];
+    const Vec3 delta = pairs.delta.get(k);
+    pairs.s[k] = swap ? t : s;
+    pairs.t[k] = swap ? s : t;
+    pairs.delta.x[k] = swap ? -delta.x : delta.x;
+    pairs.delta.y[k] = swap ? -delta.y : delta.y;
+    pairs.delta.z[k] = swap ? -delta.z : delta.z;
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/batch.h"
+#include "core/capsule.h"
 #include "core/closest_points.h"
 
 namespace spherocylinder {
@@ -33,6 +34,7 @@ struct SegmentPairs {
     reach[k] = reach_of_pair;
   }
   ClosestPoints get(int k) const { return {s[k], t[k], delta.get(k), distance_squared[k]}; }
+  bool touches(int k) const { return !(distance_squared[k] >= reach[k] * reach[k]); }
 };
 
 // Works out all kBatch pairs; those not set since the last call are of no meaning.
@@ -41,6 +43,18 @@ struct SegmentPairs {
 // the latter on i. For a convex quadratic over a rectangle this ends at the minimum: where the first
 // clamp was against the gradient it stays, and a clamp on j is followed by the best s on that side.
 void closest_points(SegmentPairs &pairs);
+
+// Sets kBatch pairs at once, from any capsules.
+void set_pairs(SegmentPairs &pairs, const Capsule *const (&i)[kBatch],
+               const Capsule *const (&j)[kBatch]);
+
+// Closest points of as many pairs as a batch has, as they stand side by side.
+struct ClosestLanes {
+  const double *s, *t, *delta_x, *delta_y, *delta_z, *distance_squared, *nearly_parallel;
+};
+
+// What came out, of those for which `swapped` is not 0 as if i and j had been set the other way round.
+void swap_pairs(SegmentPairs &pairs, const Doubles &swapped);
 
 // Pair k, of which the batch is uncertain and which was set from these two segments, by itself.
 inline void make_certain(SegmentPairs &pairs, int k, const Segment &i, const Segment &j)

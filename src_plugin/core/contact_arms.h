@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/batch.h"
+#include "core/closest_points_batch.h"
 #include "core/contact_kinematics.h"
 
 namespace spherocylinder {
@@ -24,6 +25,20 @@ struct ContactArms {
   Vec3s side;          // normal of the last step, zero for a new contact
 };
 
+// What does not stay of a rod: its motion, and the axis that its arms lie on.
+struct RodState {
+  Vec3 velocity, omega, axis;
+};
+
+// Puts kBatch contacts of these rods at their closest points. In: the radii. False if the points of one of
+// the first `count` do not differ or its rods are nearly parallel.
+bool place_at_closest_points(ContactArms &arms, const RodState *const (&i)[kBatch],
+                             const RodState *const (&j)[kBatch], const ClosestLanes &points,
+                             int count);
+
+// Over the sum of the radii.
+void relative_overlaps(const ContactArms &arms, Doubles &overlaps);
+
 // What a law makes of them.
 struct ContactLoads {
   Vec3s force;                              // on i; j feels its opposite
@@ -32,6 +47,11 @@ struct ContactLoads {
   Doubles inverse_mass;    // 1/m_eff; 0 if neither can move: the rest are no numbers then
   Doubles effective_mass;  // that damping goes by: the contact's share of m_eff (kg)
 };
+
+// Whether some contact is deeper than `overlap` of the sum of the radii, or its step longer than where
+// stiffness * step_squared is its effective mass. Of those that cannot move it may say so too.
+bool any_deeper_or_stiffer(const ContactArms &arms, const ContactLoads &loads, double overlap,
+                           double step_squared, int count);
 
 // One contact of a batch on its way to a law.
 struct ContactPlace {

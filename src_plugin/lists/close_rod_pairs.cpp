@@ -172,7 +172,7 @@ int64_t CloseRodPairs::walk(PairGran &pair)
         looked_at++;
         close = (contact_flags && contact_flags[i][index]) || is_close(i, j);
       }
-      if (close) next_entries_.push_back({i, j, index});
+      if (close) next_entries_.push_back({i, j, index, atom->tag[j] < atom->tag[i]});
     }
   }
   entries_.swap(next_entries_);

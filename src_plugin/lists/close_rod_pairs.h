@@ -34,7 +34,8 @@ class CloseRodPairs : protected Pointers {
  public:
   struct Entry {
     int i, j;
-    int index;  // of j among the neighbours of i in LIGGGHTS's list
+    int index;     // of j among the neighbours of i in LIGGGHTS's list
+    bool swapped;  // the id of j is the lower one
   };
 
   explicit CloseRodPairs(LAMMPS *lmp) : Pointers(lmp), list_(lmp) {}

@@ -89,7 +89,8 @@ void FixHeatGranSpherocylinder::post_force(int)
   const TouchingRodPairs *pairs = rods_->attached<ListsInUse>().touching_pairs;
   if (!pairs) return;
   const int nlocal = atom->nlocal, *mask = atom->mask;
-  for (const TouchingRodPairs::Touch &touch : pairs->touching()) {
+  for (int n = 0; n < pairs->count(); n++) {
+    const TouchingRodPairs::Touch touch = pairs->touch(n);
     const int i = touch.i, j = touch.j;
     if (!((mask[i] | mask[j]) & groupbit)) continue;
     const double area = contact_area(i, j, touch.distance);

@@ -171,6 +171,21 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
     return Run(sum(loops), usage.ru_utime + usage.ru_stime, log, typed)
 
 
+def run_counted(folder: Path | str, deck: Path | str, variables: dict | None = None,
+                program: str = "lmp", build: Path | str | None = None,
+                name: str | None = None) -> tuple[int, Run]:
+    """As run_deck on one rank; also the instructions of the steps, not of what comes before and after."""
+    out = Path(folder).resolve() / "callgrind.out"
+    run = run_deck(folder, deck, variables, program, build=build, name=name,
+                   under=("valgrind", "--tool=callgrind", f"--callgrind-out-file={out}",
+                          "--toggle-collect=LAMMPS_NS::Verlet::run(int)"))
+    found = re.search(r"^(?:totals|summary): (\d+)", out.read_text(), re.MULTILINE)
+    out.unlink()
+    if not found or int(found[1]) == 0:
+        raise CaseError(f"callgrind counted nothing in {folder}")
+    return int(found[1]), run
+
+
 def link_decks(folder: Path | str, decks) -> None:
     """Makes the folder and puts links to the decks there, so that one can include the other."""
     folder = Path(folder)

@@ -2,17 +2,15 @@
 """What each feature of a scene costs: instructions and time of a step, memory."""
 from __future__ import annotations
 
-import os
 import re
 import shutil
-import subprocess
 from pathlib import Path
 
 import numpy
 import pandas
 
 from studies.common import cases
-from studies.common.rows import provenance, typed, write_rows
+from studies.common.rows import provenance, write_rows
 
 HERE = Path(__file__).resolve().parent
 DECK = HERE / "in.cost"
@@ -133,27 +131,6 @@ def variables(scene: dict, change: dict, number: int, seed: int, steps: int, sta
             "start": start}
 
 
-def callgrind(folder: Path, name: str, build, values: dict) -> tuple[int, str]:
-    """Instructions of the steps (not of what comes before and after), and the command as typed."""
-    out, program = folder / "callgrind.out", cases.program_path(name, build)
-    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}",
-               "--toggle-collect=LAMMPS_NS::Verlet::run(int)", program, "-in", "in.cost", "-log",
-               "log.callgrind"]
-    for variable, value in values.items():
-        command += ["-var", variable, str(value)]
-    environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
-    done = subprocess.run(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True)
-    reason = cases.failure(done.stdout, done.returncode)
-    if reason:
-        raise cases.CaseError(f"{reason} (valgrind in {folder})")
-    found = re.search(r"^(?:totals|summary): (\d+)", out.read_text(), re.MULTILINE)
-    out.unlink()
-    if not found or int(found.group(1)) == 0:
-        raise cases.CaseError(f"callgrind counted nothing in {folder}")
-    return int(found.group(1)), typed(name if word == program else word for word in command)
-
-
 def megabytes(log: Path) -> float:
     """What LIGGGHTS says its arrays, lists and fixes take."""
     found = re.findall(r"^Memory usage per processor = (\S+) Mbytes", log.read_text(), re.MULTILINE)
@@ -186,12 +163,13 @@ def count(path, name: str, names: list[str], number: int, seed: int, start_steps
         values = variables(scene, change, number, seed, counted_steps, 0)
         run = cases.run_deck(folder, "in.cost", values, program=program, build=build, name="memory")
         touching = contacts(folder, scene, change, values, build)
-        instructions, counting = callgrind(folder, program, build, values)
+        instructions, counting = cases.run_counted(folder, "in.cost", values, program, build,
+                                                   name="callgrind")
         result.append({"scene": name, "change": label, "particles": number,
                        "steps": counted_steps,
                        "instructions": instructions / (number * counted_steps),
                        "megabytes": megabytes(run.log), "contacts": touching,
-                       **provenance(f"{start.command} && {run.command} && {counting}", seed)})
+                       **provenance(f"{start.command} && {run.command} && {counting.command}", seed)})
     write_rows(path, result)
 
 

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """bench/Snakefile: rows from runs in turns, the smallest run of the graph, the page from the kept table."""
+import argparse
 import math
 import re
+import sys
 from pathlib import Path
 
 import numpy
 import pandas
 import pytest
 
-from bench import one_sphere, page, speed
+from bench import compare, one_sphere, page, speed
 from studies.common import cases, pages
 from studies.common.rows import PROVENANCE, read_rows
 
@@ -218,3 +220,23 @@ def test_a_missing_row_is_said():
     table = read_rows(KEPT)
     with pytest.raises(ValueError, match="speed.csv has 0 rows of bed 11 500 1 plugin, wanted one"):
         page.values(table)["us"]("bed", 11, 500)
+
+
+# A build and itself: the same instructions to the last few hundred (addresses differ), the same end.
+def test_compare_a_build_with_itself(programs, tmp_path):
+    given = argparse.Namespace(before=programs, after=programs, count=10, longer=1, turns=2,
+                               folder=tmp_path)
+    row = compare.compare("gas", 5, 80, given)
+    assert float(row["after_over_before"]) == pytest.approx(1.0, abs=1e-3) and row["same_end"]
+    assert 100 < float(row["instructions_before"]) < 20_000
+    given.count = 0
+    row = compare.compare("gas", 5, 80, given)
+    assert row["same_end"] and float(row["least"]) <= float(row["after_over_before"])
+
+
+def test_compare_wants_folders_of_programs(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["compare.py", str(tmp_path), str(tmp_path)])
+    with pytest.raises(SystemExit):
+        compare.main()
+    assert f"{tmp_path} must be a folder with the program lmp, as build/release" in \
+        capsys.readouterr().err
