@@ -173,17 +173,22 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
 
 def run_counted(folder: Path | str, deck: Path | str, variables: dict | None = None,
                 program: str = "lmp", build: Path | str | None = None,
-                name: str | None = None) -> tuple[int, Run]:
-    """As run_deck on one rank; also the instructions of the steps, not of what comes before and after."""
-    out = Path(folder).resolve() / "callgrind.out"
-    run = run_deck(folder, deck, variables, program, build=build, name=name,
-                   under=("valgrind", "--tool=callgrind", f"--callgrind-out-file={out}",
-                          "--toggle-collect=LAMMPS_NS::Verlet::run(int)"))
+                name: str | None = None) -> tuple[int, str]:
+    """Runs a deck on one rank: the instructions of its steps, not of what comes before and after, and the
+    command as typed."""
+    if not shutil.which("valgrind"):
+        raise CaseError("the program valgrind is not there: scripts/setup --studies installs it")
+    out = Path(folder) / "callgrind.out"
+    # Of long copies valgrind counts each byte where the C library has one instruction repeat it.
+    copies = ":".join(f"glibc.cpu.x86_rep_{name}_threshold=1000000000" for name in ("movsb", "stosb"))
+    under = ("env", f"GLIBC_TUNABLES={copies}", "valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}",
+             "--toggle-collect=LAMMPS_NS::Verlet::run(int)")
+    run = run_deck(folder, deck, variables, program, build=build, name=name, under=under)
     found = re.search(r"^(?:totals|summary): (\d+)", out.read_text(), re.MULTILINE)
     out.unlink()
     if not found or int(found[1]) == 0:
         raise CaseError(f"callgrind counted nothing in {folder}")
-    return int(found[1]), run
+    return int(found[1]), f"{shlex.join(under)} {run.command}"
 
 
 def link_decks(folder: Path | str, decks) -> None:

@@ -169,7 +169,7 @@ def count(path, name: str, names: list[str], number: int, seed: int, start_steps
                        "steps": counted_steps,
                        "instructions": instructions / (number * counted_steps),
                        "megabytes": megabytes(run.log), "contacts": touching,
-                       **provenance(f"{start.command} && {run.command} && {counting.command}", seed)})
+                       **provenance(f"{start.command} && {run.command} && {counting}", seed)})
     write_rows(path, result)
 
 
