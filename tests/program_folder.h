@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-// Where the programs to be tested are: the build's folder, or PROGRAM_FOLDER of the environment. So the
-// tests of one build try another's programs, as .ci/run does with those of the sanitizers.
+// Where the programs to be tested are: the build's folder, or PROGRAM_FOLDER of the environment, a whole
+// path. So the tests of one build try another's programs, those with sanitizers for one.
 inline std::string program_folder(const std::string &built)
 {
   const char *folder = std::getenv("PROGRAM_FOLDER");
