@@ -75,14 +75,17 @@ SPHEROCYLINDER_VECTOR void set_pairs(SegmentPairs &pairs, const Capsule *const (
 {
   // Centre and axis, half length, radius of a capsule, as eight numbers.
   static_assert(sizeof(Capsule) == 8 * sizeof(double));
-  const auto rows_i = reinterpret_cast<const double *const *>(i);
-  const auto rows_j = reinterpret_cast<const double *const *>(j);
   for (int k = 0; k < kBatch; k += kFour) {
+    FourRows rows_i, rows_j;
+    for (int row = 0; row < kFour; row++) {
+      rows_i[row] = &i[k + row]->segment.centre.x;
+      rows_j[row] = &j[k + row]->segment.centre.x;
+    }
     Four head_i[kFour], head_j[kFour], tail_i[kFour], tail_j[kFour];
-    load_columns(rows_i, k, 0, head_i);
-    load_columns(rows_j, k, 0, head_j);
-    load_columns(rows_i, k, 4, tail_i);
-    load_columns(rows_j, k, 4, tail_j);
+    load_columns(rows_i, 0, head_i);
+    load_columns(rows_j, 0, head_j);
+    load_columns(rows_i, 4, tail_i);
+    load_columns(rows_j, 4, tail_j);
     store_column(head_j[0] - head_i[0], pairs.between.x + k);
     store_column(head_j[1] - head_i[1], pairs.between.y + k);
     store_column(head_j[2] - head_i[2], pairs.between.z + k);

@@ -12,15 +12,17 @@ namespace spherocylinder {
 typedef double Four __attribute__((vector_size(4 * sizeof(double))));
 constexpr int kFour = 4;
 
-// columns[c] := numbers c of the rows k .. k + 3, each of which has four to be read from `offset` on.
-SPHEROCYLINDER_INLINE void load_columns(const double *const *rows, int k, int offset,
-                                        Four (&columns)[kFour])
+// Of four rods, where numbers of theirs begin.
+using FourRows = const double *[kFour];
+
+// columns[c] := numbers c of the rows, each of which has four from `offset` on.
+SPHEROCYLINDER_INLINE void load_columns(const FourRows &rows, int offset, Four (&columns)[kFour])
 {
   Four a, b, c, d;
-  std::memcpy(&a, rows[k] + offset, sizeof a);
-  std::memcpy(&b, rows[k + 1] + offset, sizeof b);
-  std::memcpy(&c, rows[k + 2] + offset, sizeof c);
-  std::memcpy(&d, rows[k + 3] + offset, sizeof d);
+  std::memcpy(&a, rows[0] + offset, sizeof a);
+  std::memcpy(&b, rows[1] + offset, sizeof b);
+  std::memcpy(&c, rows[2] + offset, sizeof c);
+  std::memcpy(&d, rows[3] + offset, sizeof d);
   const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
   const Four ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Four cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
@@ -31,9 +33,9 @@ SPHEROCYLINDER_INLINE void load_columns(const double *const *rows, int k, int of
   columns[3] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
-SPHEROCYLINDER_INLINE void load_column(const double *const *rows, int k, int offset, Four &column)
+SPHEROCYLINDER_INLINE void load_column(const FourRows &rows, int offset, Four &column)
 {
-  column = Four{rows[k][offset], rows[k + 1][offset], rows[k + 2][offset], rows[k + 3][offset]};
+  column = Four{rows[0][offset], rows[1][offset], rows[2][offset], rows[3][offset]};
 }
 
 SPHEROCYLINDER_INLINE void store_column(const Four &column, double *lanes)

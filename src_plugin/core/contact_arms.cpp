@@ -13,11 +13,12 @@ SPHEROCYLINDER_INLINE void set_rods(const RodState *const (&states)[kBatch], int
                                     const Four &along, Vec3s &arm, Vec3s &velocity, Vec3s &omega)
 {
   static_assert(sizeof(RodState) == 9 * sizeof(double));
-  const auto rows = reinterpret_cast<const double *const *>(states);
+  FourRows rows;
+  for (int row = 0; row < kFour; row++) rows[row] = &states[k + row]->velocity.x;
   Four head[kFour], tail[kFour], axis_z;
-  load_columns(rows, k, 0, head);
-  load_columns(rows, k, 4, tail);
-  load_column(rows, k, 8, axis_z);
+  load_columns(rows, 0, head);
+  load_columns(rows, 4, tail);
+  load_column(rows, 8, axis_z);
   store_column(head[0], velocity.x + k);
   store_column(head[1], velocity.y + k);
   store_column(head[2], velocity.z + k);
