@@ -6,8 +6,8 @@
 BEFORE and AFTER are folders of programs, as build/release. A row a case: microseconds a rod and step of
 both, and how many times those of BEFORE those of AFTER are, the median over the turns, in each of which
 they run one after the other, in either order: on a machine that does nothing else. With --count
-instructions of so many steps instead, by valgrind, once each: the same on any machine at any time, and
-blind to what memory costs. (valgrind has no AVX-512: loops of eight at a time run as those of four.)"""
+instructions of so many steps instead, by valgrind, once each whatever --turns and --longer are: nearly the
+same on machines of a kind at any time, and blind to what memory costs. (valgrind has no AVX-512: loops of eight at a time run as those of four.)"""
 from __future__ import annotations
 
 import argparse
@@ -77,7 +77,8 @@ def main() -> None:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("before", type=Path)
     parser.add_argument("after", type=Path)
-    parser.add_argument("--scenes", nargs="+", default=sorted(speed.SCENES), choices=speed.SCENES)
+    parser.add_argument("--scenes", nargs="+", default=sorted({case[0] for case in CASES}),
+                        choices=sorted({case[0] for case in CASES}))
     parser.add_argument("--turns", type=int, default=5)
     parser.add_argument("--longer", type=int, default=4, help="times the steps of bench/config.yaml")
     parser.add_argument("--count", type=int, default=0, metavar="STEPS",

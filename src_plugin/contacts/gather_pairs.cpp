@@ -34,12 +34,32 @@ void PairGatherer::read_masses(int frozen_groups, bool effective_mass)
   inverses_.resize(nall);
   kinds_.clear();
   for (int i = 0; i < nall; i++) {
-    const bool frozen = atom->mask[i] & frozen_groups;
-    inverses_[i] = {frozen ? 0.0 : 1.0 / atom->rmass[i],
-                    frozen || !effective_mass ? 0.0 : 1.0 / atom->inertia[i][0],
-                    (atom->mask[i] & driven) != 0};
+    inverses_[i] = inverse_of(i, frozen_groups, driven, effective_mass);
     kinds_.add(atom->type[i], rods_[i], inverses_[i]);
   }
+}
+
+InverseInertia PairGatherer::inverse_of(int i, int frozen_groups, int driven_groups,
+                                        bool effective_mass) const
+{
+  const bool frozen = atom->mask[i] & frozen_groups;
+  return {frozen ? 0.0 : 1.0 / atom->rmass[i],
+          frozen || !effective_mass ? 0.0 : 1.0 / atom->inertia[i][0],
+          (atom->mask[i] & driven_groups) != 0};
+}
+
+bool PairGatherer::rods_are_as_read(int frozen_groups, bool effective_mass) const
+{
+  const int driven = groups_with_driven_centres(lmp);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const Capsule now = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(i);
+    const InverseInertia inverse = inverse_of(i, frozen_groups, driven, effective_mass);
+    if (now.radius != rods_[i].radius || now.segment.half_length != rods_[i].segment.half_length ||
+        inverse.mass != inverses_[i].mass || inverse.transverse != inverses_[i].transverse ||
+        !kinds_.may_be(i, atom->type[i], now, inverse))
+      return false;
+  }
+  return true;
 }
 
 void PairGatherer::set_kind(ContactBatch &batch, int k) const

@@ -35,6 +35,9 @@ class PairGatherer : protected Pointers {
   // `frozen_groups` do not give way.
   void read_masses(int frozen_groups, bool effective_mass);
 
+  // Whether sizes, masses and types of owned rods still are those that were read.
+  bool rods_are_as_read(int frozen_groups, bool effective_mass) const;
+
   const std::vector<spherocylinder::Capsule> &rods() const { return rods_; }
 
   // As many of the touching pairs as a batch holds, from the one numbered `first`. `spread`: nearly
@@ -53,6 +56,8 @@ class PairGatherer : protected Pointers {
       *state_j_[spherocylinder::kBatch];
 
   void read_rod(int i);
+  spherocylinder::InverseInertia inverse_of(int i, int frozen_groups, int driven_groups,
+                                            bool effective_mass) const;
   void set_kind(ContactBatch &batch, int k) const;
   void place_otherwise(ContactBatch &batch, int k, const TouchingRodPairs::Touch &touch,
                        const double *side, bool spread) const;

@@ -112,7 +112,14 @@ void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool mig
   // With `pre no` a run begins with its first step.
   const bool run_begins = update->setupflag || update->ntimestep == update->firststep + 1;
   if (migrated || run_begins) check_types_have_properties(lmp, highest_type_);
-  if (!migrated && run_begins) close_pairs_.check_rods_are_the_same();
+  if (!migrated && run_begins) {
+    close_pairs_.check_rods_are_the_same();
+    if (!gatherer_.rods_are_as_read(pair.freeze_group_bit(), laws_.keywords().effective_mass))
+      rod_error_one(
+          lmp, "Run: pre no cannot be used after a command has changed the size, mass, type or "
+               "frozen group of rods, contacts still have those before (expected run without "
+               "pre no)");
+  }
   close_pairs_.update(pair, gatherer_.rods(), migrated, [this](bool all) {
     gatherer_.read_rods(all, close_pairs_.tracked_ghosts());
   });

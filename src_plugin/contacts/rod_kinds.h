@@ -41,11 +41,21 @@ class RodKinds {
     of_rods_.push_back(k);
   }
 
+  // False if rod i was added as another kind; of one of too many kinds it is not known.
+  bool may_be(int i, int type, const spherocylinder::Capsule &rod,
+              const spherocylinder::InverseInertia &inverse) const
+  {
+    const Kind kind = {type,         rod.radius,         rod.segment.half_length,
+                       inverse.mass, inverse.transverse, inverse.is_driven};
+    return of_rods_[i] == kUnknown || known_[of_rods_[i]] == kind;
+  }
+
   // Of any two rods, where all are of one kind; else kNone.
   int64_t of_all_pairs() const
   {
     return known_.size() == 1 && !has_unknown_ ? generation_ * kMost * kMost : kNone;
   }
+
   // Of two rods, one number; kNone if one of them has no kind.
   int64_t of_pair(int i, int j) const
   {

@@ -24,7 +24,7 @@ class SuddenOverlaps : protected Pointers {
   // Whether nothing is watched: keyword of the pair style.
   void allow(bool allowed) { allowed_ = allowed; }
 
-  // Once a contact and step. `overlap`: over the mean diameter; `movable`: either rod can be moved.
+  // At most once a contact and step, of all those above kWatched. `overlap`: over the mean diameter; `movable`: either rod can be moved.
   void look(int i, int j, double overlap, bool movable)
   {
     if (overlap > kWatched && !allowed_) note(i, j, overlap, movable);

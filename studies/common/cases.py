@@ -180,7 +180,7 @@ def run_counted(folder: Path | str, deck: Path | str, variables: dict | None = N
         raise CaseError("the program valgrind is not there: scripts/setup --studies installs it")
     out = Path(folder) / "callgrind.out"
     # Of long copies valgrind counts each byte where the C library has one instruction repeat it.
-    copies = ":".join(f"glibc.cpu.x86_rep_{name}_threshold=1000000000" for name in ("movsb", "stosb"))
+    copies = ":".join(f"glibc.cpu.x86_rep_{word}_threshold=1000000000" for word in ("movsb", "stosb"))
     under = ("env", f"GLIBC_TUNABLES={copies}", "valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}",
              "--toggle-collect=LAMMPS_NS::Verlet::run(int)")
     run = run_deck(folder, deck, variables, program, build=build, name=name, under=under)

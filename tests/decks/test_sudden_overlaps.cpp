@@ -52,6 +52,9 @@ constexpr const char *kSlightly = "displace_atoms fifth move 0.9 -0.2 -0.482 uni
 constexpr const char *kPast = "displace_atoms second move 0.0 0.0 -0.0198 units box\n";
 constexpr const char *kSentence = "rods 4 and 5 overlap by 0.4";
 
+constexpr const char *kResized =
+    "Run: pre no cannot be used after a command has changed the size, mass, type or frozen group of rods";
+
 const Case kCases[] = {
     {"Displaced", kHistory, kInto, "run 5", kSentence},
     {"DisplacedWithoutHistory", kNone, kInto, "run 5", kSentence},
@@ -67,6 +70,11 @@ const Case kCases[] = {
      "overlap by 0.4"},  // which ids the rods have now depends on the ranks
     {"PreNoAfterDeletion", kHistory, "delete_atoms group fifth\n", "run 5 pre no",
      "Run: pre no cannot be used after a command has deleted, added or renamed rods"},
+    {"DiameterPreNo", kHistory, "set group fifth diameter 0.0105\n", "run 5 pre no", kResized},
+    {"LengthPreNo", kHistory, "set group fifth length 0.12\n", "run 5 pre no", kResized},
+    {"DensityPreNo", kHistory, "set group fifth density 2600\n", "run 5 pre no", kResized},
+    {"Diameter", kHistory, "set group fifth diameter 0.0105\n", "run 5", nullptr},
+    {"SameSizePreNo", kHistory, "set group fifth diameter 0.01\n", "run 5 pre no", nullptr},
     {"TypeOfLaterPreNo", kHistory, "set group fifth type 2\n", "run 5 pre no",
      "rod 5 has atom type 2 at step 6"},
     {"TypeOfLater", kHistory, "set group fifth type 2\n", "run 5", nullptr},
