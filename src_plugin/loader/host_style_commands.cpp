@@ -49,7 +49,8 @@ std::vector<HostStyle> command_rows()
           "the copies' ids go on from the highest one; contacts across a periodic face begin anew"),
       row(kMap, "rotate", kRefused,
           "it turns the centres and not the axes; use displace_atoms rotate"),
-      row(kMap, "run", kRight, "pre no: while rods and fixes stay as they were"),
+      row(kMap, "run", kRight,
+          "pre no: while rods, their sizes and masses, and fixes stay as they were; else refused"),
       row(kMap, "run_time", kRight, ""),
       row(kMap, "set", kDifferent,
           "diameter and length are the rod's own, axis and quat turn it, and all that follows from them "
