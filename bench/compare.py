@@ -35,7 +35,8 @@ def counts(scene: str, aspect: int, count: int, builds: dict[str, Path], steps: 
     for name, build in builds.items():
         found, _ = cases.run_counted(folder, "in.time_plugin",
                                      {**speed.variables(scene, aspect, count), "steps": steps},
-                                     build=build.resolve(), name=f"count_{name}")
+                                     build=build.resolve(), name=f"count_{name}",
+                                     copies_as_loops=True)
         instructions[name] = found / (steps * count)
         sums[name] = speed.checksum(folder / "dump.final")
     return {"scene": scene, "lambda": aspect, "rods": count, "steps": steps,

@@ -173,16 +173,19 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
 
 def run_counted(folder: Path | str, deck: Path | str, variables: dict | None = None,
                 program: str = "lmp", build: Path | str | None = None,
-                name: str | None = None) -> tuple[int, str]:
+                name: str | None = None, copies_as_loops: bool = False) -> tuple[int, str]:
     """Runs a deck on one rank: the instructions of its steps, not of what comes before and after, and the
-    command as typed."""
+    command as typed. Of a long copy valgrind counts each byte where the C library has one instruction
+    repeat it; `copies_as_loops` has it copy by loops."""
     if not shutil.which("valgrind"):
         raise CaseError("the program valgrind is not there: scripts/setup --studies installs it")
     out = Path(folder) / "callgrind.out"
-    # Of long copies valgrind counts each byte where the C library has one instruction repeat it.
-    copies = ":".join(f"glibc.cpu.x86_rep_{word}_threshold=1000000000" for word in ("movsb", "stosb"))
-    under = ("env", f"GLIBC_TUNABLES={copies}", "valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}",
+    under = ("valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}",
              "--toggle-collect=LAMMPS_NS::Verlet::run(int)")
+    if copies_as_loops:
+        settings = ":".join(f"glibc.cpu.x86_rep_{word}_threshold=1000000000"
+                            for word in ("movsb", "stosb"))
+        under = ("env", f"GLIBC_TUNABLES={settings}", *under)
     run = run_deck(folder, deck, variables, program, build=build, name=name, under=under)
     found = re.search(r"^(?:totals|summary): (\d+)", out.read_text(), re.MULTILINE)
     out.unlink()
