@@ -7,7 +7,8 @@ BEFORE and AFTER are folders of programs, as build/release. A row a case: micros
 both, and how many times those of BEFORE those of AFTER are, the median over the turns, in each of which
 they run one after the other, in either order: on a machine that does nothing else. With --count
 instructions of so many steps instead, by valgrind, once each whatever --turns and --longer are: nearly the
-same on machines of a kind at any time, and blind to what memory costs. (valgrind has no AVX-512: loops of eight at a time run as those of four.)"""
+same on machines of a kind at any time, and blind to what memory costs. (valgrind has no AVX-512: loops of
+eight at a time run as those of four.)"""
 from __future__ import annotations
 
 import argparse
@@ -76,10 +77,10 @@ def compare(scene: str, aspect: int, count: int, given: argparse.Namespace) -> d
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
+    scenes = sorted({scene for scene, _, _ in CASES})
     parser.add_argument("before", type=Path)
     parser.add_argument("after", type=Path)
-    parser.add_argument("--scenes", nargs="+", default=sorted({case[0] for case in CASES}),
-                        choices=sorted({case[0] for case in CASES}))
+    parser.add_argument("--scenes", nargs="+", default=scenes, choices=scenes)
     parser.add_argument("--turns", type=int, default=5)
     parser.add_argument("--longer", type=int, default=4, help="times the steps of bench/config.yaml")
     parser.add_argument("--count", type=int, default=0, metavar="STEPS",

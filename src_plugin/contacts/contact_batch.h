@@ -35,7 +35,8 @@ struct ContactBatch {
   Spread spread[spherocylinder::kBatch];
   int spread_count = 0;
 
-  spherocylinder::Doubles depth{};  // overlap over the sum of the radii, of pairs, once a law has had its say
+  // Of pairs, once a law has had its say: overlap over the sum of the radii.
+  spherocylinder::Doubles depth{};
 
   double reach(int k) const { return arms.radius_i[k] + arms.radius_j[k]; }
   bool can_move(int k) const { return loads.inverse_mass[k] != 0.0; }

@@ -72,13 +72,35 @@ def write_rows(path: Path | str, rows: pandas.DataFrame | Iterable[dict]) -> Non
     unfinished.replace(path)
 
 
+def commands_beside(path: Path | str) -> Path:
+    """Where the commands of a table stand that were written apart."""
+    return Path(path).with_name(f"{Path(path).stem}_commands.csv")
+
+
+def write_rows_and_commands(path: Path | str, table: pandas.DataFrame) -> None:
+    """For tables of which many rows have one long command: they have its number, and the commands are a
+    table of their own beside it. read_rows puts them together again."""
+    numbers, commands = pandas.factorize(table["command"])
+    write_rows(commands_beside(path), pandas.DataFrame({"number": range(len(commands)),
+                                                        "command": commands}))
+    write_rows(path, table.assign(command=numbers))
+
+
 def read_rows(path: Path | str) -> pandas.DataFrame:
-    return pandas.read_csv(path, float_precision="round_trip", comment="#")
+    table = pandas.read_csv(path, float_precision="round_trip", comment="#")
+    if commands_beside(path).exists():
+        commands = pandas.read_csv(commands_beside(path)).set_index("number")["command"]
+        table["command"] = table["command"].map(commands)
+    return table
+
+
+def together(paths: Iterable[Path | str]) -> pandas.DataFrame:
+    return pandas.concat([read_rows(p) for p in paths], ignore_index=True)
 
 
 def collect(paths: Iterable[Path | str], path: Path | str, by: list[str] | None = None) -> None:
     """Puts the rows of many files into one, in the order of the columns `by`, else of the files."""
-    table = pandas.concat([read_rows(p) for p in paths], ignore_index=True)
+    table = together(paths)
     if by:
         table = table.sort_values(by, kind="stable", ignore_index=True)
     write_rows(path, table)

@@ -2,7 +2,6 @@
 # The scenes: each is swept with both codes, two sweeps side by side, then what came out best is timed
 # again, alone on the machine and in turns.
 import shlex
-import shutil
 
 from studies.speed_accuracy.scenes import SCENES
 
@@ -12,6 +11,7 @@ SCENE_DECKS = {"rods": [str(HERE / "in.rods_scene")],
 SCENE_NAMES = choices_of("scenes", list(SCENES))
 SCENE_ASPECTS = [f"{value:g}" for value in numbers_of("lambdas", 1)]
 SCENE_ROWS = str(RESULTS / "scenes.csv")
+SCENE_COMMANDS = str(rows.commands_beside(SCENE_ROWS))
 
 
 def sweep_options(code):
@@ -37,7 +37,7 @@ wildcard_constraints:
 whole_number_of("turns", 1)
 for code in SCENE_DECKS:
     sweep_options(code)
-need_kept(SCENE_ROWS)
+need_kept(SCENE_ROWS, SCENE_COMMANDS)
 
 
 if not KEPT:
@@ -76,11 +76,11 @@ if not KEPT:
     # --config scenes_kept=1: a copy, since the table itself is made anew at the end.
     rule kept_scenes:
         output: "scenes/kept.csv"
-        run: shutil.copyfile(SCENE_ROWS, output[0])
+        run: rows.write_rows(output[0], rows.read_rows(SCENE_ROWS))
 
     rule scene_rows:
         input:
             expand("scenes/{scene}_{aspect}_timed.csv", scene=SCENE_NAMES, aspect=SCENE_ASPECTS),
-        output: SCENE_ROWS
+        output: SCENE_ROWS, SCENE_COMMANDS
         run:
-            rows.collect(input, output[0])
+            rows.write_rows_and_commands(output[0], rows.together(input))

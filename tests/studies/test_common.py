@@ -327,3 +327,13 @@ def test_no_study_hides_a_module_of_python():
     for path in (ROOT / "studies").glob("*/*.py"):
         if path.parent.name != "common":
             assert path.stem not in sys.stdlib_module_names, path
+
+
+# Rows with their commands apart are those with them.
+def test_commands_apart(tmp_path):
+    table = pandas.DataFrame({"x": [1.5, 2.5, 3.5], "command": ["lmp -in a", "b, c", "lmp -in a"]})
+    path = tmp_path / "rows.csv"
+    rows.write_rows_and_commands(path, table)
+    assert path.read_text() == "x,command\n1.5,0\n2.5,1\n3.5,0\n"
+    assert rows.commands_beside(path).read_text() == 'number,command\n0,lmp -in a\n1,"b, c"\n'
+    pandas.testing.assert_frame_equal(rows.read_rows(path), table)
