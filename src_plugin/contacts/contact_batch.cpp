@@ -19,3 +19,13 @@ void LAMMPS_NS::add_spread(ContactBatch &batch)
                        loads.torque_j.get(k) - cross(arms.arm_j.get(k), sideways) + kn * couple_j);
   }
 }
+
+void LAMMPS_NS::take_weights(ContactBatch &batch)
+{
+  ContactLoads &loads = batch.loads;
+  for (int k = 0; k < batch.count; k++) {
+    if (batch.weight[k] == 1.0) continue;
+    loads.force.set(k, batch.weight[k] * loads.force.get(k));
+    loads.torque_i.set(k, batch.weight[k] * loads.torque_i.get(k));
+  }
+}

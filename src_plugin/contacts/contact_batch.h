@@ -12,6 +12,7 @@ namespace LAMMPS_NS {
 struct ContactBatch {
   int count = 0;
   bool is_wall = false;  // j is a wall
+  bool is_mesh = false;  // made of triangles
 
   spherocylinder::ContactArms arms{};
   spherocylinder::ContactLoads loads{};
@@ -22,9 +23,12 @@ struct ContactBatch {
   // One number for all that does not move of both, > 0, or RodKinds::kNone. What a law has once worked
   // out for a place in the batch holds while its number stays.
   int64_t kind[spherocylinder::kBatch]{};
-  int end[spherocylinder::kBatch]{};          // of a rod at a wall, for rows: 0 at -u, 1 at +u
+  int end[spherocylinder::kBatch]{};          // at a wall: 0 at -u, 1 at +u; at a mesh: the triangle
   int *flags[spherocylinder::kBatch]{};       // of LIGGGHTS's contact, null without
   double *history[spherocylinder::kBatch]{};  // the models' values, null without
+
+  // Of a mesh: the share of its load that a contact has, see spherocylinder::SurfaceContact.
+  spherocylinder::Doubles weight{};
 
   // What contacts spread over nearly parallel rods push beside the law's force, over the stiffness: see
   // spherocylinder::RodContact.
@@ -47,5 +51,7 @@ struct ContactBatch {
 
 // Adds what contacts spread over nearly parallel rods push beside the law's force.
 void add_spread(ContactBatch &batch);
+// Of loads that contacts with a mesh share, each takes its own.
+void take_weights(ContactBatch &batch);
 
 }  // namespace LAMMPS_NS

@@ -8,6 +8,7 @@ namespace LAMMPS_NS {
 
 class ComputePairGranLocal;
 class FixWallGran;
+class MeshSurface;
 
 // A contact of rod i, in space frame and SI units. Torque about the rod's centre.
 struct ContactRow {
@@ -35,6 +36,9 @@ class ContactRows {
   virtual void add_pair_contact(const ContactRow &contact) = 0;
   // Of end 0 (at -u) or 1 (at +u) of rod i.
   virtual void add_wall_contact(const FixWallGran &wall, int end, const ContactRow &contact) = 0;
+  // With a triangle of a mesh, by LIGGGHTS's number.
+  virtual void add_mesh_contact(const FixWallGran &wall, const MeshSurface &mesh, int triangle_id,
+                                const ContactRow &contact) = 0;
 };
 
 }  // namespace LAMMPS_NS

@@ -6,7 +6,7 @@
 #include "contacts/contact_batch.h"
 #include "core/contact_kinematics.h"
 #include "pointers.h"
-#include "walls/rod_wall.h"
+#include "walls/moving_wall.h"
 
 namespace LAMMPS_NS {
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contacts/granular_wall_spherocylinder.h"
 
-#include <optional>
 #include <utility>
 
 #include "atom.h"
-#include "compute_pair_gran_local.h"
 #include "contacts/contact_monitor.h"
-#include "contacts/contact_rows.h"
 #include "contacts/contact_state.h"
-#include "contacts/observers.h"
 #include "contacts/scatter.h"
 #include "contacts/wall_observers.h"
 #include "error.h"
@@ -24,21 +20,18 @@ using namespace spherocylinder;
 
 GranularWallSpherocylinder::GranularWallSpherocylinder(LAMMPS *lmp, FixWallGran *parent,
                                                        std::unique_ptr<StockLaw> models)
-    : Pointers(lmp), parent_(parent), laws_(lmp, std::move(models)), gatherer_(lmp)
+    : Pointers(lmp), parent_(parent), laws_(lmp, std::move(models)), gatherer_(lmp), mesh_gatherer_(lmp)
 {
   batch_.is_wall = true;
 }
 
 void GranularWallSpherocylinder::settings(int nargs, char **args, LIGGGHTS::IContactHistorySetup *)
 {
-  if (parent_->is_mesh_wall())
-    rod_error_all(lmp,
-                  "Fix wall/gran (id %s): surface spherocylinder cannot use a mesh; rods know "
-                  "planes and the inside of cylinders (primitive)",
-                  parent_->id);
+  batch_.is_mesh = parent_->is_mesh_wall();
+  if (batch_.is_mesh) laws_.models().layout().keep_from_host();
   const std::string wrong = laws_.read_keywords(nargs, args);
   if (!wrong.empty()) error->fix_error(FLERR, parent_, wrong.c_str());
-  laws_.models().layout().add_other_end();
+  if (!batch_.is_mesh) laws_.models().layout().add_other_end();
 }
 
 void GranularWallSpherocylinder::init_granular()
@@ -61,20 +54,8 @@ void GranularWallSpherocylinder::compute_force(FixWallGran *,
 void GranularWallSpherocylinder::compute_forces(FixWallGran &fix, const MovingWall &wall,
                                                 const std::vector<int> &rods, double **history)
 {
-  NormalForceSums<FixWallGran> sums(lmp, fix);
-  WallLoads loads(lmp, fix);
-  WallHeat heat(fix);
-  std::optional<RowWriter> rows;
-  ContactObservers observers = state_->observers();
+  const WallObservers observers(lmp, fix, state_->observers(), nullptr);
   const bool adds_forces = fix.computeflag() != 0;
-  if (adds_forces && fix.store_sum_normal_force()) observers.push_back(&sums);
-  if (fix.store_force_contact() || fix.store_force_contact_stress() || fix.store_force())
-    observers.push_back(&loads);
-  if (fix.heattransfer_flag()) observers.push_back(&heat);
-  if (ContactRows *wanted =
-          ContactRows::collecting(fix.compute_wall_gran_local(), update->ntimestep))
-    observers.push_back(&rows.emplace(lmp, *wanted, &fix));
-
   ContactLaw &law = laws_.chosen();
   const RodKeywords &keywords = laws_.keywords();
   law.begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});
@@ -84,9 +65,39 @@ void GranularWallSpherocylinder::compute_forces(FixWallGran &fix, const MovingWa
     gatherer_.add(batch_, wall, i, histories, [&](int end) {
       if (histories[end]) law.contact_ended(i, -1, nullptr, histories[end]);
     });
-    if (batch_.count + 2 > kBatch) finish_batch(adds_forces, observers);
+    if (batch_.count + 2 > kBatch) finish_batch(adds_forces, observers.all());
   }
-  if (batch_.count > 0) finish_batch(adds_forces, observers);
+  if (batch_.count > 0) finish_batch(adds_forces, observers.all());
+  law.end();
+}
+
+void GranularWallSpherocylinder::compute_mesh_forces(FixWallGran &fix, const MeshSurface &mesh,
+                                                     int number, const RodsNearMesh &rods,
+                                                     bool is_new, MeshHistories &histories)
+{
+  const WallObservers observers(lmp, fix, state_->observers(), &mesh);
+  const bool adds_forces = fix.computeflag() != 0;
+  ContactLaw &law = laws_.chosen();
+  const RodKeywords &keywords = laws_.keywords();
+  law.begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});
+  mesh_gatherer_.begin(fix, mesh, number, histories, keywords.effective_mass,
+                       !keywords.linear.aspect_scaling);
+  int next_rod = 0;
+  const auto forget_rods_before = [&](int rod) {
+    for (; next_rod < rod; next_rod++) mesh_gatherer_.forget(next_rod, law);
+    next_rod = rod + 1;
+  };
+  for (const RodsNearMesh::Near &near : rods) {
+    if (is_new) forget_rods_before(near.rod);
+    const int found = mesh_gatherer_.find(near, law);
+    for (int first = 0; first < found;) {
+      if (batch_.count > 0 && batch_.count + found - first > kBatch)
+        finish_batch(adds_forces, observers.all());
+      first = mesh_gatherer_.add(batch_, first);
+    }
+  }
+  if (is_new) forget_rods_before(atom->nlocal);
+  if (batch_.count > 0) finish_batch(adds_forces, observers.all());
   law.end();
 }
 
@@ -99,6 +110,7 @@ EndHistories GranularWallSpherocylinder::of_ends(double *row)
 void GranularWallSpherocylinder::finish_batch(bool adds_forces, const ContactObservers &observers)
 {
   laws_.chosen().evaluate(batch_);
+  if (batch_.is_mesh) take_weights(batch_);
   if (adds_forces) scatter_walls(batch_, *atom);
   monitor_->see(batch_);
   show(batch_, observers);

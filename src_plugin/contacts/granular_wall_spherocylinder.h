@@ -8,17 +8,18 @@
 #include "contacts/contact_batch.h"
 #include "contacts/contact_laws.h"
 #include "contacts/contact_observer.h"
+#include "contacts/gather_mesh.h"
 #include "contacts/gather_walls.h"
-#include "walls/rod_wall.h"
+#include "contacts/rod_wall.h"
 
 namespace LAMMPS_NS {
 
 class ContactMonitor;
 class ContactState;
 
-// What the stock fix wall/gran runs for rods: contacts of the two ends of a rod with a plane or the
-// inside of a cylinder. Between its ends a straight rod cannot be nearer to either, so the two end
-// spheres are the whole contact; each has its own history.
+// What the stock fix wall/gran runs for rods. Contacts of the two ends of a rod with a plane or the inside
+// of a cylinder: between its ends a straight rod cannot be nearer to either, so the two end spheres are the
+// whole contact; each has its own history. Contacts with meshes: see spherocylinder::find_contacts.
 class GranularWallSpherocylinder : private Pointers, public RodWall {
  public:
   GranularWallSpherocylinder(LAMMPS *lmp, FixWallGran *parent, std::unique_ptr<StockLaw> models);
@@ -38,6 +39,10 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
   void compute_forces(FixWallGran &fix, const MovingWall &wall, const std::vector<int> &rods,
                       double **history) override;
   void contacts_ended(int i, double *history) override;
+  void compute_mesh_forces(FixWallGran &fix, const MeshSurface &mesh, int number,
+                           const RodsNearMesh &rods, bool is_new,
+                           MeshHistories &histories) override;
+  int history_values() override { return laws_.models().layout().values(); }
 
   // For the loop of LIGGGHTS's own fix, which the rods' fix does not run.
   void compute_force(FixWallGran *, LIGGGHTS::ContactModels::SurfacesIntersectData &, bool,
@@ -47,6 +52,7 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
   FixWallGran *parent_;
   ContactLaws laws_;
   WallGatherer gatherer_;
+  MeshGatherer mesh_gatherer_;
   ContactBatch batch_;
   ContactMonitor *monitor_ = nullptr;  // these two: attached to the rods
   const ContactState *state_ = nullptr;

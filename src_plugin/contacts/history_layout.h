@@ -13,19 +13,22 @@ namespace LAMMPS_NS {
 // knows afterwards which are where.
 class HistoryLayout : public LIGGGHTS::IContactHistorySetup {
  public:
-  explicit HistoryLayout(LIGGGHTS::IContactHistorySetup &keeper) : keeper_(keeper) {}
+  explicit HistoryLayout(LIGGGHTS::IContactHistorySetup &keeper) : keeper_(&keeper) {}
+
+  // Who asked the models keeps their values himself.
+  void keep_from_host() { keeper_ = nullptr; }
 
   int add_history_value(std::string name, std::string changes_sign) override
   {
     names_.push_back(name);
-    return keeper_.add_history_value(name, changes_sign);
+    return keeper_ ? keeper_->add_history_value(name, changes_sign) : values() - 1;
   }
 
   // For the contacts of a rod's other end with a wall: room for the same values once more, behind them.
   void add_other_end()
   {
     const std::vector<std::string> names = names_;
-    for (const std::string &name : names) keeper_.add_history_value("other_end_" + name, "0");
+    for (const std::string &name : names) keeper_->add_history_value("other_end_" + name, "0");
   }
 
   // Of one contact.
@@ -38,7 +41,7 @@ class HistoryLayout : public LIGGGHTS::IContactHistorySetup {
   }
 
  private:
-  LIGGGHTS::IContactHistorySetup &keeper_;
+  LIGGGHTS::IContactHistorySetup *keeper_;  // null: nobody of LIGGGHTS
   std::vector<std::string> names_;
 };
 

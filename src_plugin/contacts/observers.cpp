@@ -6,6 +6,7 @@
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "pair_gran.h"
+#include "walls/mesh_surface.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
@@ -55,7 +56,9 @@ void RowWriter::see(const ContactBatch &batch)
                             batch.arms.radius_j[k],
                             batch.arms.distance[k],
                             batch.arms.overlap[k]};
-    if (wall_)
+    if (wall_ && mesh_)
+      rows_.add_mesh_contact(*wall_, *mesh_, mesh_->id(batch.end[k]), row);
+    else if (wall_)
       rows_.add_wall_contact(*wall_, batch.end[k], row);
     else
       rows_.add_pair_contact(row);

@@ -9,6 +9,7 @@ namespace LAMMPS_NS {
 
 class ContactRows;
 class FixWallGran;
+class MeshSurface;
 class PairGran;
 
 // The virial of a rigid body takes the distance of the centres, not of the contact points.
@@ -35,8 +36,9 @@ class NormalForceSums : public ContactObserver, private Pointers {
 // Rows of compute pair/gran/local, and of wall/gran/local where `wall` is given.
 class RowWriter : public ContactObserver, private Pointers {
  public:
-  RowWriter(LAMMPS *lmp, ContactRows &rows, const FixWallGran *wall = nullptr)
-      : Pointers(lmp), rows_(rows), wall_(wall)
+  RowWriter(LAMMPS *lmp, ContactRows &rows, const FixWallGran *wall = nullptr,
+            const MeshSurface *mesh = nullptr)
+      : Pointers(lmp), rows_(rows), wall_(wall), mesh_(mesh)
   {
   }
   void see(const ContactBatch &batch) override;
@@ -44,6 +46,7 @@ class RowWriter : public ContactObserver, private Pointers {
  private:
   ContactRows &rows_;
   const FixWallGran *wall_;
+  const MeshSurface *mesh_;  // of a mesh wall
 };
 
 }  // namespace LAMMPS_NS

@@ -12,6 +12,7 @@
 #include "neighbor.h"
 #include "pair_gran.h"
 #include "primitive_wall.h"
+#include "tri_mesh.h"
 
 namespace LAMMPS_NS {
 
@@ -35,6 +36,8 @@ EXPOSE_MEMBER(GhostGroup, Comm, bordergroup, int)
 EXPOSE_MEMBER(DumpFormat, Dump, format_user, char *)
 EXPOSE_MEMBER(DumpColumns, Dump, size_one, int)
 EXPOSE_MEMBER(WallParameters, PrimitiveWall, param, double *)
+
+EXPOSE_MEMBER(MeshCurvature, SurfaceMeshBase, curvature_, double)
 
 #undef EXPOSE_MEMBER
 
@@ -80,6 +83,8 @@ const char *dump_format(const Dump &dump) { return dump.*member(DumpFormat()); }
 int dump_columns(const Dump &dump) { return dump.*member(DumpColumns()); }
 
 double *wall_parameters(PrimitiveWall &wall) { return wall.*member(WallParameters()); }
+
+double cosine_of_curvature(const TriMesh &mesh) { return mesh.*member(MeshCurvature()); }
 
 int history_value(PairGran &pair, const std::string &name)
 {

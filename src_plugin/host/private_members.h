@@ -18,6 +18,7 @@ class Modify;
 class Neighbor;
 class PairGran;
 class PrimitiveWall;
+class TriMesh;
 
 // The styles that a deck can name, and who makes them.
 using FixCreator = Fix *(*) (LAMMPS *, int, char **);
@@ -36,6 +37,9 @@ int dump_columns(const Dump &dump);
 
 // A plane's position, a cylinder's radius and axis.
 double *wall_parameters(PrimitiveWall &wall);
+
+// The cosine of the angle up to which the mesh's faces make one smooth surface: keyword curvature.
+double cosine_of_curvature(const TriMesh &mesh);
 
 // Where a pair's contact history keeps a value, -1 if it does not: the stock models do not all tell.
 int history_value(PairGran &pair, const std::string &name);

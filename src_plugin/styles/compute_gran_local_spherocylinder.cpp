@@ -8,11 +8,12 @@
 #include "atom.h"
 #include "core/numbers.h"
 #include "domain.h"
-#include "fix_wall_gran.h"
+#include "fix_mesh_surface.h"
 #include "force.h"
 #include "host/rod_error.h"
 #include "memory.h"
 #include "modify.h"
+#include "styles/fix_wall_gran_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -106,8 +107,7 @@ void ComputeGranLocalSpherocylinder::init_cpgl(bool)
   size_local_cols = nvalues;
 }
 
-// With all walls of the deck (LIGGGHTS's own: with one, of meshes). A wall keeps two histories, one
-// an end.
+// With all walls of the deck (LIGGGHTS's own: with one, of meshes).
 void ComputeGranLocalSpherocylinder::register_with_walls()
 {
   walls_.clear();
@@ -116,15 +116,19 @@ void ComputeGranLocalSpherocylinder::register_with_walls()
     auto *fix = dynamic_cast<FixWallGran *>(modify->fix[k]);
     if (!fix) continue;
     if (fix->compute_wall_gran_local() == this) fix->unregister_compute_wall_local(this);
-    int values = 0;
-    fix->register_compute_wall_local(this, values);
-    if (histflag && !walls_.empty() && values / 2 != dnum)
+    int of_host = 0;
+    fix->register_compute_wall_local(this, of_host);
+    auto *wall_of_rods = dynamic_cast<FixWallGranSpherocylinder *>(fix);
+    const int values = wall_of_rods ? wall_of_rods->history_values() : of_host;
+    if (histflag && !walls_.empty() && values != dnum)
       rod_error_all(lmp,
                     "Compute %s (id %s): history wants the same number of history values in all "
                     "walls (got %d and, in fix %s, %d)",
-                    style, id, dnum, fix->id, values / 2);
-    dnum = values / 2;
-    walls_.push_back(fix);
+                    style, id, dnum, fix->id, values);
+    dnum = values;
+    if (!fix->is_mesh_wall()) walls_.push_back({fix, nullptr});
+    for (int m = 0; fix->is_mesh_wall() && m < fix->n_meshes(); m++)
+      walls_.push_back({fix, fix->mesh_list()[m]});
   }
   if (walls_.empty())
     rod_error_all(lmp,
@@ -208,13 +212,29 @@ void ComputeGranLocalSpherocylinder::add_pair_contact(const ContactRow &contact)
 void ComputeGranLocalSpherocylinder::add_wall_contact(const FixWallGran &wall_fix, int end,
                                                       const ContactRow &contact)
 {
+  add_row_of_wall({&wall_fix, nullptr}, end, contact);
+}
+
+void ComputeGranLocalSpherocylinder::add_mesh_contact(const FixWallGran &wall_fix,
+                                                      const MeshSurface &mesh, int triangle_id,
+                                                      const ContactRow &contact)
+{
+  add_row_of_wall({&wall_fix, &mesh.fix()}, triangle_id, contact);
+}
+
+void ComputeGranLocalSpherocylinder::add_row_of_wall(const Wall &wall_of_row, int part,
+                                                     const ContactRow &contact)
+{
   if (collected_step_ != update->ntimestep) begin_rows();
   const int i = contact.i;
   if (!(atom->mask[i] & groupbit)) return;
-  const auto wall_index = std::find(walls_.begin(), walls_.end(), &wall_fix) - walls_.begin();
+  const auto is_it = [&](const Wall &known) {
+    return known.fix == wall_of_row.fix && known.mesh == wall_of_row.mesh;
+  };
+  const auto wall_index = std::find_if(walls_.begin(), walls_.end(), is_it) - walls_.begin();
   add_row({{contact.point, load(atom->x[i])},
            {contact.wall_velocity, load(atom->v[i])},
-           {static_cast<double>(wall_index), static_cast<double>(end),
+           {static_cast<double>(wall_index), static_cast<double>(part),
             static_cast<double>(atom->tag[i])},
            contact.force,
            contact.torque,

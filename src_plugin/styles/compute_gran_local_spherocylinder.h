@@ -8,6 +8,8 @@
 
 namespace LAMMPS_NS {
 
+class FixMeshSurface;
+
 // compute pair/gran/local and wall/gran/local of decks with rods: LIGGGHTS's columns, with what it
 // works out from sphere centres taken from the contacts themselves, and the column group `normal`.
 //
@@ -29,6 +31,8 @@ class ComputeGranLocalSpherocylinder : public ComputePairGranLocal, public Conta
   void begin_rows() override;
   void add_pair_contact(const ContactRow &contact) override;
   void add_wall_contact(const FixWallGran &wall, int end, const ContactRow &contact) override;
+  void add_mesh_contact(const FixWallGran &wall, const MeshSurface &mesh, int triangle_id,
+                        const ContactRow &contact) override;
 
  private:
   struct Keywords {
@@ -49,11 +53,17 @@ class ComputeGranLocalSpherocylinder : public ComputePairGranLocal, public Conta
   };
 
   bool normal_;
-  std::vector<const FixWallGran *> walls_;  // in the order of the deck
+  // Primitive walls, and each mesh of mesh walls, in the order of the deck.
+  struct Wall {
+    const FixWallGran *fix;
+    const FixMeshSurface *mesh;  // null: primitive
+  };
+  std::vector<Wall> walls_;
   bigint collected_step_ = -1;
   int rows_ = 0;
 
   void register_with_walls();
+  void add_row_of_wall(const Wall &wall, int part, const ContactRow &contact);
   void add_row(const Contact &contact);
 };
 

@@ -8,6 +8,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "fix_mesh_surface.h"
 #include "fix_property_atom.h"
 #include "host/private_members.h"
 #include "host/rod_error.h"
@@ -50,6 +51,7 @@ FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments 
     rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane (got no primitive wall)", id);
   arguments_.others.clear();  // the deck's line is not kept
   restart_global = has_variable();
+  begin_meshes();
   if (!primitiveWall_) return;
   const double radius = wall_parameters(*primitiveWall_)[0];
   if (surface_of(*primitiveWall_).is_cylinder && !(radius > 0.0 && std::isfinite(radius)))
@@ -86,6 +88,8 @@ void FixWallGranSpherocylinder::init()
     check_no_image_is_missed();
   }
   near_rods_.forget();
+  for (WallMesh &mesh : meshes_) mesh.rods.forget();
+  meshes_may_be_others_ = true;
 }
 
 void FixWallGranSpherocylinder::check_cylinder_is_wide_enough() const
@@ -217,7 +221,9 @@ MovingWall FixWallGranSpherocylinder::moving_wall() const
 void FixWallGranSpherocylinder::pre_neighbor()
 {
   FixWallGran::pre_neighbor();
-  if (has_variable()) look_at_rods();
+  if (has_variable() || is_mesh_wall()) look_at_rods();
+  for (WallMesh &mesh : meshes_) mesh.rods.forget();
+  meshes_may_be_others_ = true;
 }
 
 // Rods may have come or gone.
@@ -268,8 +274,13 @@ void FixWallGranSpherocylinder::forget_contacts_of_far_rods(double **history)
 
 int FixWallGranSpherocylinder::forget_contacts(int groupbit_of_rods)
 {
-  if (!fix_history_primitive_) return 0;
   int forgotten = 0;
+  for (int i = 0; is_mesh_wall() && i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit_of_rods)) continue;
+    forgotten += mesh_histories_.of(i).empty() ? 0 : 1;
+    mesh_histories_.clear(i);
+  }
+  if (!fix_history_primitive_) return forgotten;
   for (int i = 0; i < atom->nlocal; i++) {
     double *history = fix_history_primitive_->array_atom[i];
     if (!(atom->mask[i] & groupbit_of_rods)) continue;
@@ -278,4 +289,94 @@ int FixWallGranSpherocylinder::forget_contacts(int groupbit_of_rods)
     std::fill_n(history, dnum(), 0.0);
   }
   return forgotten;
+}
+
+void FixWallGranSpherocylinder::begin_meshes()
+{
+  if (!is_mesh_wall()) return;
+  for (int m = 0; m < n_meshes(); m++)
+    meshes_.push_back({MeshSurface(*mesh_list()[m]), RodsNearMesh(lmp)});
+  rod_wall_ = dynamic_cast<RodWall *>(impl);
+  mesh_histories_.keep(history_values());
+  restart_peratom = 1;
+  create_attribute = 1;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+FixWallGranSpherocylinder::~FixWallGranSpherocylinder()
+{
+  if (meshes_.empty()) return;
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+}
+
+// LIGGGHTS's list of a mesh wall holds every rod whose bounding sphere is near, for each triangle: of long
+// rods and small triangles it would take far longer to make than all contacts take. Its contact history
+// knows one contact for a triangle.
+void FixWallGranSpherocylinder::post_create()
+{
+  FixWallGran::post_create();
+  for (WallMesh &mesh : meshes_) {
+    mesh.surface.fix().deleteContactHistory();
+    mesh.surface.fix().deleteWallNeighList();
+  }
+}
+
+int FixWallGranSpherocylinder::pack_restart(int rod, double *buffer)
+{
+  buffer[0] = size_restart(rod);
+  return 1 + mesh_histories_.pack(rod, buffer + 1);
+}
+
+// Behind the values of the fixes before this one, each beginning with how many it has.
+void FixWallGranSpherocylinder::unpack_restart(int rod, int nth)
+{
+  const double *values = atom->extra[rod];
+  for (int k = 0; k < nth; k++) values += static_cast<int>(values[0]);
+  mesh_histories_.unpack(rod, values + 1);
+}
+
+int FixWallGranSpherocylinder::maxsize_restart()
+{
+  int largest = 0;
+  for (int i = 0; i < atom->nlocal; i++) largest = std::max(largest, size_restart(i));
+  return largest;
+}
+
+void FixWallGranSpherocylinder::check_meshes_are_slow() const
+{
+  for (const WallMesh &mesh : meshes_)
+    if (thinnest_ > 0.0 && mesh.surface.step() > thinnest_)
+      rod_error_one(lmp,
+                    "Fix wall/gran (id %s): mesh %s moves by %g at step " BIGINT_FORMAT
+                    ", wanted at most the thinnest rod's radius %g a step",
+                    id, mesh.surface.fix().id, mesh.surface.step(), update->ntimestep, thinnest_);
+}
+
+void FixWallGranSpherocylinder::post_force_mesh(int vflag)
+{
+  if (!rod_wall_) {
+    FixWallGran::post_force_mesh(vflag);
+    return;
+  }
+  for (WallMesh &mesh : meshes_) {
+    if (meshes_may_be_others_)
+      mesh.surface.read();
+    else
+      mesh.surface.follow();
+  }
+  meshes_may_be_others_ = false;
+  check_meshes_are_slow();
+  for (size_t m = 0; m < meshes_.size(); m++) {
+    auto &[mesh, rods] = meshes_[m];
+    atom_type_wall_ = mesh.fix().atomTypeWall();
+    if (store_force_contact()) fix_wallforce_contact_ = mesh.fix().meshforceContact();
+    if (store_force_contact_stress())
+      fix_wallforce_contact_stress_ = mesh.fix().meshforceContactStress();
+    const bool is_new = rods.renew(mesh, groupbit);
+    rod_wall_->compute_mesh_forces(*this, mesh, static_cast<int>(m), rods, is_new,
+                                   mesh_histories_);
+  }
 }

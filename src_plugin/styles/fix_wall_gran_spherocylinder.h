@@ -2,10 +2,12 @@
 #ifndef LMP_FIX_WALL_GRAN_SPHEROCYLINDER_H
 #define LMP_FIX_WALL_GRAN_SPHEROCYLINDER_H
 
+#include "contacts/mesh_histories.h"
+#include "contacts/rod_wall.h"
 #include "fix_wall_gran.h"
 #include "lists/near_wall_rods.h"
+#include "lists/rods_near_mesh.h"
 #include "styles/wall_arguments.h"
-#include "walls/rod_wall.h"
 
 namespace LAMMPS_NS {
 
@@ -25,17 +27,48 @@ class FixWallGranSpherocylinder : public FixWallGran {
 
   // The group's rods begin their contacts with a primitive wall anew. Returns how many had one.
   int forget_contacts(int groupbit_of_rods);
+  // That the contact models keep of one contact.
+  int history_values() const { return rod_wall_ ? rod_wall_->history_values() : 0; }
+
+  // Of mesh walls: what is kept of contacts goes with the rods.
+  void post_create() override;
+  void grow_arrays(int rods) override { mesh_histories_.grow(rods); }
+  void copy_arrays(int from, int to, int) override { mesh_histories_.copy(from, to); }
+  void set_arrays(int rod) override { mesh_histories_.clear(rod); }
+  int pack_exchange(int rod, double *buffer) override
+  {
+    return mesh_histories_.pack(rod, buffer);
+  }
+  int unpack_exchange(int rod, double *buffer) override
+  {
+    return mesh_histories_.unpack(rod, buffer);
+  }
+  int pack_restart(int rod, double *buffer) override;
+  void unpack_restart(int rod, int nth) override;
+  int size_restart(int rod) override { return 1 + mesh_histories_.size(rod); }
+  int maxsize_restart() override;
+  double memory_usage() override { return mesh_histories_.memory_usage(); }
+  ~FixWallGranSpherocylinder() override;
 
  protected:
   void pre_neighbor() override;
   void pre_force(int vflag) override;
   void post_force_primitive(int vflag) override;
+  void post_force_mesh(int vflag) override;
 
  private:
   RodWall *rod_wall_ = nullptr;  // null without surface spherocylinder: no rods are run then
   MovingWall wall_{};
   NearWallRods near_rods_;
   WallArguments arguments_;
+
+  struct WallMesh {
+    MeshSurface surface;
+    RodsNearMesh rods;
+  };
+  std::vector<WallMesh> meshes_;
+  MeshHistories mesh_histories_;
+  bool meshes_may_be_others_ = true;  // LIGGGHTS has spread them over the ranks
 
   // Of a plane whose position is a variable.
   int variable_ = -1;
@@ -55,6 +88,8 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void check_cylinder_is_wide_enough() const;
   void check_no_image_is_missed() const;
   void forget_contacts_of_far_rods(double **history);
+  void begin_meshes();
+  void check_meshes_are_slow() const;
 };
 
 }  // namespace LAMMPS_NS

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <vector>
-
-#include "granular_wall.h"
 #include "walls/wall_surface.h"
 
 namespace LAMMPS_NS {
@@ -22,18 +19,6 @@ struct MovingWall {
   {
     return sliding + cross(turning, surface.is_cylinder ? contact.radial : end - centre);
   }
-};
-
-// What fix wall/gran of rods asks of a combination of contact models, beyond LIGGGHTS's interface.
-class RodWall : public LIGGGHTS::Walls::IGranularWall {
- public:
-  // Adds the forces of all contacts of these rods. `history`: a row a rod, null if the models keep
-  // none.
-  virtual void compute_forces(FixWallGran &fix, const MovingWall &wall,
-                              const std::vector<int> &rods, double **history) = 0;
-
-  // Both ends of a rod no longer touch; `history`: their row.
-  virtual void contacts_ended(int i, double *history) = 0;
 };
 
 }  // namespace LAMMPS_NS

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contacts/gather_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "atom.h"
+#include "contacts/contact_law.h"
+#include "contacts/rod_kinds.h"
+#include "fix_mesh_surface.h"
+#include "fix_wall_gran.h"
+#include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace spherocylinder;
+
+namespace {
+
+// How well a contact goes on as one of the last step: the less, the better.
+constexpr int kSameTriangle = 0, kSamePatch = 1, kNeighbour = 2, kStranger = 3;
+
+}  // namespace
+
+void MeshGatherer::begin(const FixWallGran &fix, const MeshSurface &mesh, int number,
+                         MeshHistories &histories, bool effective_mass, bool types_are_kinds)
+{
+  fix_ = &fix;
+  mesh_ = &mesh;
+  number_ = number;
+  histories_ = &histories;
+  wall_type_ = mesh.fix().atomTypeWall();
+  turning_ = effective_mass ? 1.0 : 0.0;
+  types_are_kinds_ = types_are_kinds;
+}
+
+// What is kept of other meshes stays where it is.
+void MeshGatherer::take_before()
+{
+  before_.clear();
+  remembered_.clear();
+  triangles_before_.clear();
+  MeshHistories::Contacts &kept = histories_->of(rod_);
+  for (size_t k = 0; k < kept.size();) {
+    if (kept[k].mesh != number_) {
+      k++;
+      continue;
+    }
+    before_.push_back(std::move(kept[k]));
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  for (const MeshHistories::Contact &contact : before_) {
+    const Vec3 near = capsule_.segment.at(contact.along);
+    triangles_before_.push_back(mesh_->triangle_of(contact.triangle_id, near));
+    if (triangles_before_.back() >= 0)
+      remembered_.push_back(
+          {static_cast<OnRod>(contact.place), triangles_before_.back(), contact.normal});
+  }
+}
+
+int MeshGatherer::find(const RodsNearMesh::Near &near, ContactLaw &law)
+{
+  rod_ = near.rod;
+  capsule_ = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(rod_);
+  take_before();
+  find_contacts(capsule_, mesh_->surface(), near.features, remembered_, found_);
+  match();
+  for (MeshHistories::Contact &contact : before_)
+    if (contact.mesh == number_ && !contact.values.empty())
+      law.contact_ended(rod_, -1, nullptr, contact.values.data());
+  return static_cast<int>(found_.size());
+}
+
+void MeshGatherer::forget(int rod, ContactLaw &law)
+{
+  rod_ = rod;
+  take_before();
+  found_.clear();
+  for (MeshHistories::Contact &contact : before_)
+    if (!contact.values.empty()) law.contact_ended(rod_, -1, nullptr, contact.values.data());
+}
+
+int MeshGatherer::agreement(const SurfaceContact &now, size_t before) const
+{
+  const MeshHistories::Contact &then = before_[before];
+  const int triangle = triangles_before_[before];
+  if (then.mesh != number_ || then.place != static_cast<int>(now.place) || triangle < 0)
+    return kStranger;
+  if (triangle == now.triangle) return kSameTriangle;
+  const TriangleSurface &surface = mesh_->surface();
+  if (surface.patch(triangle) == surface.patch(now.triangle)) return kSamePatch;
+  return dot(then.normal, now.normal) > 0.0 && surface.are_neighbours(triangle, now.triangle)
+             ? kNeighbour
+             : kStranger;
+}
+
+// Those found take over what is kept; what is left in before_ with this mesh's number has ended.
+void MeshGatherer::match()
+{
+  constexpr int kNone = -1;
+  std::vector<int> source(found_.size(), kNone);
+  for (int worst = kSameTriangle; worst < kStranger; worst++)
+    for (size_t k = 0; k < found_.size(); k++) {
+      if (source[k] != kNone) continue;
+      double nearest = 0.0;
+      for (size_t before = 0; before < before_.size(); before++) {
+        const bool is_taken =
+            std::find(source.begin(), source.end(), static_cast<int>(before)) != source.end();
+        if (is_taken || agreement(found_[k], before) != worst) continue;
+        const double apart = std::fabs(before_[before].along - found_[k].along);
+        if (source[k] != kNone && apart >= nearest) continue;
+        source[k] = static_cast<int>(before);
+        nearest = apart;
+      }
+    }
+
+  MeshHistories::Contacts &kept = histories_->of(rod_);
+  for (size_t k = 0; k < found_.size(); k++) {
+    const SurfaceContact &contact = found_[k];
+    if (source[k] == kNone) warn_of_new_through_face(contact);
+    std::vector<double> values(source[k] == kNone ? histories_->values() : 0, 0.0);
+    if (source[k] != kNone) {
+      values = std::move(before_[source[k]].values);
+      before_[source[k]].mesh = kNone;
+    }
+    kept.push_back({number_, static_cast<int>(contact.place), mesh_->id(contact.triangle),
+                    contact.along, contact.normal, std::move(values)});
+  }
+}
+
+void MeshGatherer::warn_of_new_through_face(const SurfaceContact &contact)
+{
+  if (warned_ || contact.feature != OnSurface::kFace ||
+      !goes_through(capsule_.segment, mesh_->surface().shape(contact.triangle)))
+    return;
+  warned_ = true;
+  rod_warning(lmp,
+              "Fix wall/gran (id %s): rod %d goes through triangle %d of mesh %s at step " BIGINT_FORMAT
+              " and did not touch it before; it is pushed to the side where its centre is",
+              fix_->id, atom->tag[rod_], mesh_->id(contact.triangle), mesh_->fix().id,
+              update->ntimestep);
+}
+
+// As coupling_of_ends: what the contact feels of the push of another place of the rod, the one it shares
+// most with.
+double MeshGatherer::coupling(size_t k, const InverseInertia &inverse) const
+{
+  const SurfaceContact &one = found_[k];
+  double largest_share = 0.0, coupled = 0.0;
+  for (const SurfaceContact &other : found_) {
+    if (other.along == one.along) continue;
+    const double a = capsule_.radius - one.distance, b = capsule_.radius - other.distance;
+    if (!(a > 0.0) || !(b > 0.0)) continue;
+    const double share = std::min(a, b) / std::max(a, b) * other.weight *
+                         std::max(0.0, dot(one.normal, other.normal));
+    if (share <= largest_share) continue;
+    largest_share = share;
+    coupled = share * mass_coupling(inverse, one.along * capsule_.segment.axis, one.normal,
+                                    other.along * capsule_.segment.axis, other.normal);
+  }
+  return turning_ * coupled;
+}
+
+int MeshGatherer::add(ContactBatch &batch, int first)
+{
+  const int i = rod_;
+  const InverseInertia inverse = {1.0 / atom->rmass[i], turning_ / atom->inertia[i][0]};
+  MeshHistories::Contacts &kept = histories_->of(i);
+  const size_t first_kept = kept.size() - found_.size();
+  ContactArms &arms = batch.arms;
+  const int room = kBatch - batch.count;
+  const int end = std::min(static_cast<int>(found_.size()), first + room);
+  for (int n = first; n < end; n++) {
+    const SurfaceContact &contact = found_[n];
+    const Vec3 arm = contact.along * capsule_.segment.axis;
+    const int k = batch.count++;
+    batch.i[k] = i;
+    batch.j[k] = -1;
+    batch.type_i[k] = atom->type[i];
+    batch.type_j[k] = wall_type_;
+    batch.kind[k] = types_are_kinds_ ? atom->type[i] : RodKinds::kNone;
+    batch.end[k] = contact.triangle;
+    batch.flags[k] = nullptr;
+    std::vector<double> &values = kept[first_kept + n].values;
+    batch.history[k] = values.empty() ? nullptr : values.data();
+    batch.weight[k] = contact.weight;
+    arms.arm_i.set(k, arm);
+    arms.velocity_i.set(k, load(atom->v[i]));
+    arms.velocity_j.set(
+        k, mesh_->velocity(contact.triangle, contact.on_surface(capsule_.segment)));
+    arms.omega_i.set(k, load(atom->omega[i]));
+    arms.inverse_mass_i[k] = inverse.mass;
+    arms.inverse_inertia_i[k] = inverse.transverse;
+    arms.radius_i[k] = capsule_.radius;
+    arms.normal.set(k, contact.normal);
+    arms.distance[k] = contact.distance;
+    arms.overlap[k] = capsule_.radius - contact.distance;
+    arms.mass_share[k] = 1.0;
+    const double coupled = coupling(n, inverse);
+    if (coupled != 0.0) {
+      const double alone = inverse_effective_mass(inverse, arm, contact.normal);
+      arms.mass_share[k] = alone / (alone + coupled);
+    }
+    arms.side.set(k, kZero);
+  }
+  return end;
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where a rod touches a surface of triangles.
+#pragma once
+
+#include <vector>
+
+#include "core/triangle_surface.h"
+
+namespace spherocylinder {
+
+enum class OnRod { kEndMinus, kEndPlus, kBetween };  // at -u, at +u, in between
+enum class OnSurface { kFace, kEdge, kCorner };
+
+struct SurfaceContact {
+  OnRod place;
+  OnSurface feature;
+  int index;     // of the triangle, of the edge in edges(), of the node
+  int triangle;  // that bears it
+  double along;  // of the point on the rod's axis, from its centre (m)
+  Vec3 normal;   // unit, from the surface to the rod's side of it
+  double distance;  // of that point along it, negative once it is through (m)
+  double weight;    // of its load, 0 to 1
+
+  Vec3 on_axis(const Segment &rod) const { return rod.at(along); }
+  Vec3 on_surface(const Segment &rod) const { return rod.at(along) - distance * normal; }
+};
+
+// A contact of the last step: which side the rod is on.
+struct RememberedSide {
+  OnRod place;
+  int triangle;
+  Vec3 normal;
+};
+
+// What of a surface a rod may touch: all whose distance from the axis is at most the radius must be there.
+struct NearFeatures {
+  std::vector<int> triangles[2];  // near either end
+  std::vector<int> edges, corners;
+};
+
+// Of a rod whose axis goes through a triangle that no contact remembers a side of, its centre's side is
+// taken.
+//
+// Contacts are the places where the surface is nearest to an end, or to the axis between its ends:
+//   ends     over a face (its foot in the triangle), at an edge or a corner that stands out towards it;
+//            an end in a valley has one for each side;
+//   between  where the axis passes an edge or a corner that stands out. Over the rim of a facet that the
+//            axis leaves there, also when the rod is nearer to the facet farther in, so that a rod on a
+//            facet smaller than itself rests on its rims as on its ends: less the more it tilts (none
+//            from half the edge's turn on).
+// Weights: an end in a smooth valley shares one load among its facets, by how far its feet are from where
+// these meet; the axis over a smooth ridge shares one among the edges of a facet; and where an end comes
+// off an edge, the contact between goes over into that of the end.
+void find_contacts(const Capsule &rod, const TriangleSurface &surface, const NearFeatures &near,
+                   const std::vector<RememberedSide> &remembered,
+                   std::vector<SurfaceContact> &contacts);
+
+// Whether a rod's axis goes through the triangle.
+bool goes_through(const Segment &axis, const TriangleShape &triangle);
+
+}  // namespace spherocylinder

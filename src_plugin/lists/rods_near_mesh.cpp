@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "lists/rods_near_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "core/closest_points.h"
+#include "lists/rod_shifts.h"
+#include "rods/atom_vec_spherocylinder.h"
+
+using namespace LAMMPS_NS;
+using namespace spherocylinder;
+
+namespace {
+
+constexpr double kSkinInDiameters = 0.5;  // of the thickest rod at hand
+constexpr double kUsedOfSkin = 0.99;      // the rest is for rounding
+
+AtomVecSpherocylinder &style_of(const Atom &atom)
+{
+  return static_cast<AtomVecSpherocylinder &>(*atom.avec);
+}
+
+// Whether both ends are above both of two faces that make a valley seen from there: the edge between them
+// does not stand out towards the rod, and cannot before an end has gone through a face.
+bool is_in_valley(const TriangleSurface &surface, const SurfaceEdge &edge, const Segment &axis)
+{
+  if (edge.triangles.size() != 2) return false;
+  const TriangleShape &one = surface.shape(edge.triangles[0]);
+  const TriangleShape &other = surface.shape(edge.triangles[1]);
+  const Vec3 ends[2] = {axis.at(-axis.half_length), axis.at(axis.half_length)};
+  const Vec3 middle = (1.0 / 3.0) * (other.corners[0] + other.corners[1] + other.corners[2]);
+  const double of_other = one.height(middle);  // above the first face where that looks up at it
+  const double of_one =
+      other.height((1.0 / 3.0) * (one.corners[0] + one.corners[1] + one.corners[2]));
+  for (const Vec3 &end : ends)
+    if (!(one.height(end) * of_other > 0.0) || !(other.height(end) * of_one > 0.0)) return false;
+  return true;
+}
+
+}  // namespace
+
+bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit)
+{
+  RodShifts &shifts = style_of(*atom).attached<RodShifts>();
+  if (known_ && version_ == shifts.version() && mesh_version_ == mesh.version()) {
+    const double nearer = shifts.farthest(longest_) + mesh.shift();
+    if (nearer <= kUsedOfSkin * skin_) return false;
+  }
+  shifts.keep_poses();
+  mesh.keep_place();
+  version_ = shifts.version();
+  mesh_version_ = mesh.version();
+
+  double thickest = 0.0;
+  longest_ = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *shape = atom->shape[i];
+    thickest = std::max(thickest, 2.0 * shape[0]);
+    longest_ = std::max(longest_, shape[2] - shape[0]);
+  }
+  skin_ = kSkinInDiameters * thickest;
+  count_ = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (near_.size() == count_) near_.emplace_back();
+    if (!find(mesh, style_of(*atom).capsule(i), near_[count_].features)) continue;
+    near_[count_++].rod = i;
+  }
+  known_ = true;
+  return true;
+}
+
+bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeatures &features)
+{
+  const Segment &axis = rod.segment;
+  const TriangleSurface &surface = mesh.surface();
+  const double reach = rod.radius + skin_;
+  const Vec3 ends[2] = {axis.at(-axis.half_length), axis.at(axis.half_length)};
+  for (int k = 0; k < 2; k++) {
+    features.triangles[k].clear();
+    found_.clear();
+    mesh.triangle_boxes().find(widened(around(ends[k], ends[k]), reach), found_);
+    for (const int triangle : found_) {
+      const TriangleShape &shape = surface.shape(triangle);
+      if (std::fabs(shape.height(ends[k])) <= reach && shape.holds_foot(ends[k], reach))
+        features.triangles[k].push_back(triangle);
+    }
+    std::sort(features.triangles[k].begin(), features.triangles[k].end());
+  }
+
+  const Box box = widened(around(ends[0], ends[1]), reach);
+  features.edges.clear();
+  found_.clear();
+  mesh.edge_boxes().find(box, found_);
+  for (const int edge : found_)
+    if (closest_points(axis, surface.segment(edge)).distance_squared <= reach * reach &&
+        !is_in_valley(surface, surface.edges()[edge], axis))
+      features.edges.push_back(edge);
+  std::sort(features.edges.begin(), features.edges.end());
+
+  features.corners.clear();
+  found_.clear();
+  mesh.corner_boxes().find(box, found_);
+  for (const int found : found_) {
+    const int corner = surface.corner_nodes()[found];
+    const Vec3 &at = surface.node(corner);
+    if (norm_squared(axis.at(closest_position(axis, at)) - at) <= reach * reach)
+      features.corners.push_back(corner);
+  }
+  std::sort(features.corners.begin(), features.corners.end());
+  return !features.triangles[0].empty() || !features.triangles[1].empty() ||
+         !features.edges.empty() || !features.corners.empty();
+}

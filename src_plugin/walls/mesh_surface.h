@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "core/box_tree.h"
+#include "core/triangle_surface.h"
+
+namespace LAMMPS_NS {
+
+class FixMeshSurface;
+
+// LIGGGHTS's mesh as rods meet it: the triangles that this rank owns and those near them (ghosts), as one
+// surface, with their velocities.
+class MeshSurface {
+ public:
+  explicit MeshSurface(FixMeshSurface &fix) : fix_(&fix) {}
+
+  FixMeshSurface &fix() const { return *fix_; }
+
+  // LIGGGHTS may have given this rank other triangles, or put them elsewhere.
+  void read();
+  // Once a step: to where a moving mesh is now.
+  void follow();
+
+  const spherocylinder::TriangleSurface &surface() const { return surface_; }
+  const spherocylinder::BoxTree &triangle_boxes() const { return triangle_boxes_; }
+  const spherocylinder::BoxTree &edge_boxes() const { return edge_boxes_; }
+  const spherocylinder::BoxTree &corner_boxes() const { return corner_boxes_; }
+
+  // LIGGGHTS's number, and the triangle of this rank that has it, -1 if none: across a periodic
+  // boundary there may be several, of which the one nearest to `point`.
+  int id(int triangle) const { return ids_[triangle]; }
+  int triangle_of(int id, const spherocylinder::Vec3 &point) const;
+
+  // Of the surface at a point of it (m/s).
+  spherocylinder::Vec3 velocity(int triangle, const spherocylinder::Vec3 &point) const;
+
+  // How far any corner has come since keep_place(), and another number each time that was called or the
+  // triangles are others (m).
+  double shift() const { return shift_; }
+  int version() const { return version_; }
+  void keep_place();
+  // How far any corner came in the last step (m).
+  double step() const { return step_; }
+
+ private:
+  FixMeshSurface *fix_;
+  std::vector<int> ids_;
+  std::vector<spherocylinder::Corners> corners_, kept_;
+  std::unordered_multimap<int, int> triangles_;  // by id
+  spherocylinder::TriangleSurface surface_;
+  spherocylinder::BoxTree triangle_boxes_, edge_boxes_, corner_boxes_;
+  double shift_ = 0.0, step_ = 0.0;
+  int version_ = 0;
+
+  void read_corners(std::vector<spherocylinder::Corners> &corners) const;
+  void make_trees();
+};
+
+}  // namespace LAMMPS_NS
