@@ -103,8 +103,8 @@ std::vector<HostStyle> fix_rows()
                 "rod's length"),
       refused("massflow/mesh/sieve",
               "it decides by the bounding sphere's diameter what passes; use fix massflow/mesh"),
-      right("mesh/surface", "as a face for insertion or counting; as a wall see wall/gran"),
-      right("mesh/surface/planar", "as a face for insertion or counting"),
+      right("mesh/surface", "as a wall of fix wall/gran, a face for insertion or counting"),
+      right("mesh/surface/planar", "as a wall of fix wall/gran, a face for insertion or counting"),
       different("momentum",
                 "linear: right; angular: that of the centres' motion only, the rods' own "
                 "spin is left as it is, as with spheres"),

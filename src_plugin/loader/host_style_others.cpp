@@ -234,9 +234,9 @@ void add_contacts(std::vector<HostStyle> &rows)
        {"luding", kRight, kVirtualSpheres}});
   add(rows, HostKind::MeshModule,
       {{"liquidtransfer", kRefused, "its liquid is spread over spheres; leave it out"},
-       {"servo", kRefused, "it needs fix wall/gran mesh, which does not know rods; leave it out"},
-       {"stress", kRefused,
-        "it needs fix wall/gran mesh, which does not know rods; leave it out"}});
+       {"servo", kRight, "with fix wall/gran mesh"},
+       {"stress", kRight,
+        "with fix wall/gran mesh: at the contacts' points, wear by the rods' velocity there"}});
   add(rows, HostKind::MeshMover,
       {{"linear", kRight, kMoves},
        {"linear/variable", kRight, kMoves},

@@ -34,7 +34,9 @@
 #include "styles/fix_heat_gran_spherocylinder.h"
 #include "styles/fix_insert_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
+#include "styles/fix_mesh_surface_spherocylinder.h"
 #include "styles/fix_move_spherocylinder.h"
+#include "styles/fix_neighlist_mesh_spherocylinder.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
 #include "styles/fix_rest_spherocylinder.h"
@@ -130,7 +132,10 @@ void add_styles(LAMMPS *lmp)
   fixes["contacthistory"] = &create_fix_for<FixContactHistorySpherocylinder, FixContactHistory>;
   fixes["external"] = &create_fix_for<FixExternalSpherocylinder, FixExternal>;
   fixes["freeze"] = &create_fix_for<FixFreezeSpherocylinder, FixFreeze>;
+  fixes["mesh/surface"] = &create_fix_for<FixMeshSurfaceSpherocylinder, FixMeshSurface>;
   fixes["move"] = &create_fix_for<FixMoveSpherocylinder, FixMove>;
+  fixes["neighlist/mesh"] =
+      &create_fix_for<FixNeighlistMeshSpherocylinder, FixNeighlistMesh>;
   fixes["wall/gran"] = &create_fix_for<FixWallGranSpherocylinder, FixWallGran>;
   fixes["heat/gran"] = fixes["heat/gran/conduction"] =
       &create_fix_for<FixHeatGranSpherocylinder, FixHeatGranCond>;

@@ -16,6 +16,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "primitive_wall.h"
+#include "styles/fix_neighlist_mesh_spherocylinder.h"
 #include "update.h"
 #include "variable.h"
 
@@ -28,6 +29,11 @@ namespace {
 // LIGGGHTS lists rods within its skin of the wall, of which rods that lie still may use none and
 // moving ones half before it lists them anew.
 constexpr double kUsedOfSkin = 0.4;
+
+FixNeighlistMeshSpherocylinder *list_of(const MeshSurface &mesh)
+{
+  return dynamic_cast<FixNeighlistMeshSpherocylinder *>(mesh.fix().meshNeighlist());
+}
 
 // 0, 1 or 2 for x, y or z.
 int axis_of(const WallSurface &surface)
@@ -312,15 +318,13 @@ FixWallGranSpherocylinder::~FixWallGranSpherocylinder()
   atom->delete_callback(id, 1);
 }
 
-// LIGGGHTS's list of a mesh wall holds every rod whose bounding sphere is near, for each triangle: of long
-// rods and small triangles it would take far longer to make than all contacts take. Its contact history
-// knows one contact for a triangle.
+// LIGGGHTS's contact history of a mesh knows one contact for a triangle.
 void FixWallGranSpherocylinder::post_create()
 {
   FixWallGran::post_create();
   for (WallMesh &mesh : meshes_) {
     mesh.surface.fix().deleteContactHistory();
-    mesh.surface.fix().deleteWallNeighList();
+    if (auto *list = list_of(mesh.surface)) list->leave_to_wall();
   }
 }
 
@@ -376,6 +380,11 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
     if (store_force_contact_stress())
       fix_wallforce_contact_stress_ = mesh.fix().meshforceContactStress();
     const bool is_new = rods.renew(mesh, groupbit);
+    if (auto *list = list_of(mesh); list && list->wants_count()) {
+      int mine = static_cast<int>(rods.end() - rods.begin()), all = 0;
+      MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+      list->set_count(all);
+    }
     rod_wall_->compute_mesh_forces(*this, mesh, static_cast<int>(m), rods, is_new,
                                    mesh_histories_);
   }
