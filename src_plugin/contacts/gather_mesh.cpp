@@ -20,7 +20,7 @@ using namespace spherocylinder;
 namespace {
 
 // How well a contact goes on as one of the last step: the less, the better.
-constexpr int kSameTriangle = 0, kSamePatch = 1, kNeighbour = 2, kStranger = 3;
+constexpr int kSamePart = 0, kSameTriangle = 1, kSamePatch = 2, kNeighbour = 3, kStranger = 4;
 
 }  // namespace
 
@@ -56,7 +56,8 @@ void MeshGatherer::take_before()
     triangles_before_.push_back(mesh_->triangle_of(contact.triangle_id, near));
     if (triangles_before_.back() >= 0)
       remembered_.push_back(
-          {static_cast<OnRod>(contact.place), triangles_before_.back(), contact.normal});
+          {static_cast<OnRod>(contact.place), triangles_before_.back(), contact.part,
+           contact.normal});
   }
 }
 
@@ -88,7 +89,7 @@ int MeshGatherer::agreement(const SurfaceContact &now, size_t before) const
   const int triangle = triangles_before_[before];
   if (then.mesh != number_ || then.place != static_cast<int>(now.place) || triangle < 0)
     return kStranger;
-  if (triangle == now.triangle) return kSameTriangle;
+  if (triangle == now.triangle) return then.part == now.part ? kSamePart : kSameTriangle;
   const TriangleSurface &surface = mesh_->surface();
   if (surface.patch(triangle) == surface.patch(now.triangle)) return kSamePatch;
   return dot(then.normal, now.normal) > 0.0 && surface.are_neighbours(triangle, now.triangle)
@@ -101,7 +102,7 @@ void MeshGatherer::match()
 {
   constexpr int kNone = -1;
   std::vector<int> source(found_.size(), kNone);
-  for (int worst = kSameTriangle; worst < kStranger; worst++)
+  for (int worst = kSamePart; worst < kStranger; worst++)
     for (size_t k = 0; k < found_.size(); k++) {
       if (source[k] != kNone) continue;
       double nearest = 0.0;
@@ -126,7 +127,7 @@ void MeshGatherer::match()
       before_[source[k]].mesh = kNone;
     }
     kept.push_back({number_, static_cast<int>(contact.place), mesh_->id(contact.triangle),
-                    contact.along, contact.normal, std::move(values)});
+                    contact.part, contact.along, contact.normal, std::move(values)});
   }
 }
 

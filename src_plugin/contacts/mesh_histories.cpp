@@ -9,7 +9,7 @@ using spherocylinder::store;
 
 namespace {
 
-constexpr int kFixedNumbers = 7;  // of a contact, before its models' values
+constexpr int kFixedNumbers = 8;  // of a contact, before its models' values
 
 }  // namespace
 
@@ -26,6 +26,7 @@ int MeshHistories::pack(int rod, double *buffer) const
     *out++ = contact.mesh;
     *out++ = contact.place;
     *out++ = contact.triangle_id;
+    *out++ = contact.part;
     *out++ = contact.along;
     store(contact.normal, out);
     out = std::copy(contact.values.begin(), contact.values.end(), out + 3);
@@ -42,6 +43,7 @@ int MeshHistories::unpack(int rod, const double *buffer)
     contact.mesh = static_cast<int>(*in++);
     contact.place = static_cast<int>(*in++);
     contact.triangle_id = static_cast<int>(*in++);
+    contact.part = static_cast<int>(*in++);
     contact.along = *in++;
     contact.normal = load(in);
     in += 3;

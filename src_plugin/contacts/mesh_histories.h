@@ -15,6 +15,7 @@ class MeshHistories {
     int mesh;         // of the wall, from 0
     int place;        // on the rod: spherocylinder::OnRod
     int triangle_id;  // LIGGGHTS's
+    int part;         // of the triangle: see spherocylinder::SurfaceContact
     double along;     // of the point on the axis (m)
     spherocylinder::Vec3 normal;
     std::vector<double> values;  // of the models

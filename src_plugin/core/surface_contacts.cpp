@@ -56,19 +56,44 @@ class Finder {
   std::vector<SurfaceContact> &contacts_;
   const double seam_;
 
-  const RememberedSide *memory_of(OnRod place, int triangle) const
+  // Which side of a face an end is on that touched its smooth surface in the last step: 1 or -1 along the
+  // face's normal, 0 if nothing is known.
+  double side_of_memory(OnRod place, int triangle) const
   {
-    for (const RememberedSide &side : remembered_)
-      if (side.place == place && surface_.patch(side.triangle) == surface_.patch(triangle))
-        return &side;
-    return nullptr;
+    for (const RememberedSide &memory : remembered_) {
+      if (memory.place != place || surface_.patch(memory.triangle) != surface_.patch(triangle))
+        continue;
+      const double along = dot(memory.normal, surface_.shape(memory.triangle).normal);
+      if (along != 0.0)
+        return (along < 0.0 ? -1.0 : 1.0) * surface_.orientation(memory.triangle) *
+               surface_.orientation(triangle);
+    }
+    return 0.0;
   }
 
-  void add(OnRod place, OnSurface feature, int index, int triangle, double along,
-           const Vec3 &normal, double distance, double weight = 1.0)
+  // What bears a contact: of an edge or a corner one of its triangles.
+  struct Bearer {
+    OnSurface feature;
+    int index, triangle, part;
+  };
+  static Bearer face(int triangle) { return {OnSurface::kFace, triangle, triangle, 0}; }
+  Bearer edge(int index, int nth_triangle = 0) const
   {
-    contacts_.push_back(
-        {place, feature, index, triangle, along, normal, distance, weight});
+    const SurfaceEdge &edge = surface_.edges()[index];
+    return {OnSurface::kEdge, index, edge.triangles[nth_triangle],
+            1 + edge.own_edges[nth_triangle]};
+  }
+  Bearer corner(int node) const
+  {
+    return {OnSurface::kCorner, node, surface_.triangle_at(node),
+            4 + surface_.own_corner_at(node)};
+  }
+
+  void add(OnRod place, const Bearer &bearer, double along, const Vec3 &normal, double distance,
+           double weight = 1.0)
+  {
+    contacts_.push_back({place, bearer.feature, bearer.index, bearer.triangle, bearer.part, along,
+                         normal, distance, weight});
   }
 
   // Whether from here the surface falls away on all sides of an edge's point: `way` leads from it.
@@ -101,19 +126,22 @@ class Finder {
   }
 
   // Adds a contact whose surface point is `way` away from the rod's, on the remembered side.
-  void add_by_way(OnRod place, OnSurface feature, int index, int triangle, double along,
-                  const Vec3 &way, bool passed, double weight = 1.0)
+  void add_by_way(OnRod place, const Bearer &bearer, double along, const Vec3 &way, bool passed)
   {
     const double distance = norm(way);
     if (distance == 0.0) return;
     const double sign = passed ? -1.0 : 1.0;
-    add(place, feature, index, triangle, along, (sign / distance) * way, sign * distance, weight);
+    add(place, bearer, along, (sign / distance) * way, sign * distance);
   }
 
-  bool has_passed(OnRod place, int triangle, const Vec3 &way) const
+  // Whether the rod's point has gone through the edge or corner that it touched in the last step.
+  bool has_passed(OnRod place, const Bearer &bearer, const Vec3 &way) const
   {
-    const RememberedSide *memory = memory_of(place, triangle);
-    return memory && dot(memory->normal, way) < 0.0;
+    for (const RememberedSide &memory : remembered_)
+      if (memory.place == place && memory.triangle == bearer.triangle &&
+          memory.part == bearer.part)
+        return dot(memory.normal, way) < 0.0;
+    return false;
   }
 
   // ---- ends -------------------------------------------------------------------------------------
@@ -135,19 +163,18 @@ class Finder {
   {
     const TriangleShape &shape = surface_.shape(triangle);
     const double height = shape.height(end);
-    const RememberedSide *memory = remembered_.empty() ? nullptr : memory_of(place, triangle);
-    if (!memory && std::fabs(height) > rod_.radius && !goes_through(axis_, shape)) return;
+    if (remembered_.empty() && std::fabs(height) > rod_.radius && !goes_through(axis_, shape))
+      return;
     if (!shape.holds_foot(end, seam_)) return;
-    double side = height < 0.0 ? -1.0 : 1.0;
-    if (memory) {
-      const double along_memory = dot(memory->normal, shape.normal);
-      if (along_memory != 0.0) side = along_memory < 0.0 ? -1.0 : 1.0;
-    } else if (goes_through(axis_, shape)) {
+    double side = side_of_memory(place, triangle);
+    if (side == 0.0) {
+      const bool goes = goes_through(axis_, shape);
+      if (!goes && std::fabs(height) > rod_.radius) return;
       const double of_centre = shape.height(axis_.centre);
-      if (of_centre != 0.0) side = of_centre < 0.0 ? -1.0 : 1.0;
+      side = (goes && of_centre != 0.0 ? of_centre : height) < 0.0 ? -1.0 : 1.0;
     }
     if (side * height > rod_.radius) return;
-    add(place, OnSurface::kFace, triangle, triangle, along, side * shape.normal, side * height);
+    add(place, face(triangle), along, side * shape.normal, side * height);
   }
 
   void add_at_edge(OnRod place, int index, double along, const Vec3 &end)
@@ -157,20 +184,18 @@ class Finder {
     if (std::fabs(on_edge) > segment.half_length) return;
     const Vec3 way = end - segment.at(on_edge);
     if (norm_squared(way) > rod_.radius * rod_.radius) return;
-    const SurfaceEdge &edge = surface_.edges()[index];
-    const bool passed = has_passed(place, edge.triangles[0], way);
-    if (!stands_out(edge, passed ? -way : way)) return;
-    add_by_way(place, OnSurface::kEdge, index, edge.triangles[0], along, way, passed);
+    const bool passed = has_passed(place, edge(index), way);
+    if (!stands_out(surface_.edges()[index], passed ? -way : way)) return;
+    add_by_way(place, edge(index), along, way, passed);
   }
 
-  void add_at_corner(OnRod place, int corner, double along, const Vec3 &end)
+  void add_at_corner(OnRod place, int node, double along, const Vec3 &end)
   {
-    const Vec3 way = end - surface_.node(corner);
+    const Vec3 way = end - surface_.node(node);
     if (norm_squared(way) > rod_.radius * rod_.radius) return;
-    const int triangle = surface_.triangle_at(corner);
-    const bool passed = has_passed(place, triangle, way);
-    if (!corner_stands_out(corner, passed ? -way : way)) return;
-    add_by_way(place, OnSurface::kCorner, corner, triangle, along, way, passed);
+    const bool passed = has_passed(place, corner(node), way);
+    if (!corner_stands_out(node, passed ? -way : way)) return;
+    add_by_way(place, corner(node), along, way, passed);
   }
 
   // Of contacts at one point of the surface the nearest stays, of equal ones the first.
@@ -230,26 +255,26 @@ class Finder {
 
   void add_between_at_edge(int index)
   {
-    const SurfaceEdge &edge = surface_.edges()[index];
     const Segment segment = surface_.segment(index);
     const ClosestPoints nearest = closest_points(axis_, segment);
     if (nearest.distance_squared > rod_.radius * rod_.radius) return;
     if (is_between(nearest.s) && std::fabs(nearest.t) < segment.half_length) {
-      const bool passed = has_passed(OnRod::kBetween, edge.triangles[0], nearest.delta);
-      if (stands_out(edge, passed ? -nearest.delta : nearest.delta)) {
-        add_by_way(OnRod::kBetween, OnSurface::kEdge, index, edge.triangles[0], nearest.s,
-                   nearest.delta, passed);
+      const bool passed = has_passed(OnRod::kBetween, edge(index), nearest.delta);
+      if (stands_out(surface_.edges()[index], passed ? -nearest.delta : nearest.delta)) {
+        add_by_way(OnRod::kBetween, edge(index), nearest.s, nearest.delta, passed);
         return;
       }
     }
-    for (const int triangle : edge.triangles) add_over_rim(index, triangle, segment);
+    const int beside = static_cast<int>(surface_.edges()[index].triangles.size());
+    for (int nth = 0; nth < beside; nth++) add_over_rim(index, nth, segment);
   }
 
   // The axis comes from beyond the edge and goes down over this triangle: its load at the rim.
-  void add_over_rim(int index, int triangle, const Segment &segment)
+  void add_over_rim(int index, int nth_triangle, const Segment &segment)
   {
-    const SurfaceEdge &edge = surface_.edges()[index];
-    const Vec3 inwards = inwards_of(edge, triangle);
+    const SurfaceEdge &rim = surface_.edges()[index];
+    const int triangle = rim.triangles[nth_triangle];
+    const Vec3 inwards = inwards_of(rim, triangle);
     const double crossing = dot(axis_.axis, inwards);
     if (crossing == 0.0) return;
     const double along = dot(segment.centre - axis_.centre, inwards) / crossing;
@@ -259,32 +284,33 @@ class Finder {
     if (std::fabs(on_edge) > segment.half_length) return;
 
     const double height = dot(on_axis - segment.at(on_edge), surface_.shape(triangle).normal);
-    const Vec3 normal = (height < 0.0 ? -1.0 : 1.0) * surface_.shape(triangle).normal;
     if (std::fabs(height) > rod_.radius || height == 0.0) return;
-    for (const int other : edge.triangles)
-      if (other != triangle && dot(inwards_of(edge, other), normal) >= 0.0) return;  // a valley
+    Vec3 normal = (height < 0.0 ? -1.0 : 1.0) * surface_.shape(triangle).normal;
+    const bool passed = has_passed(OnRod::kBetween, edge(index, nth_triangle), normal);
+    if (passed) normal = -normal;
+    for (const int other : rim.triangles)
+      if (other != triangle && dot(inwards_of(rim, other), normal) >= 0.0) return;  // a valley
 
     // Of the axis as it goes inwards, in the plane across the edge.
     const double down = -dot(axis_.axis, normal) * (crossing > 0.0 ? 1.0 : -1.0);
     const double tilt = std::atan2(down, std::fabs(crossing));
     if (tilt < 0.0) return;  // nearest at the edge itself, or beyond
-    const double weight = 1.0 - tilt / (0.5 * edge.turn);
+    const double weight = 1.0 - tilt / (0.5 * rim.turn);
     if (weight > 0.0)
-      add(OnRod::kBetween, OnSurface::kEdge, index, triangle, along, normal, std::fabs(height),
-          weight);
+      add(OnRod::kBetween, edge(index, nth_triangle), along, normal,
+          (passed ? -1.0 : 1.0) * std::fabs(height), weight);
   }
 
-  void add_between_at_corner(int corner)
+  void add_between_at_corner(int node)
   {
-    const Vec3 &at = surface_.node(corner);
+    const Vec3 &at = surface_.node(node);
     const double along = closest_position(axis_, at);
     if (!is_between(along)) return;
     const Vec3 way = axis_.at(along) - at;
     if (norm_squared(way) > rod_.radius * rod_.radius) return;
-    const int triangle = surface_.triangle_at(corner);
-    const bool passed = has_passed(OnRod::kBetween, triangle, way);
-    if (!corner_stands_out(corner, passed ? -way : way)) return;
-    add_by_way(OnRod::kBetween, OnSurface::kCorner, corner, triangle, along, way, passed);
+    const bool passed = has_passed(OnRod::kBetween, corner(node), way);
+    if (!corner_stands_out(node, passed ? -way : way)) return;
+    add_by_way(OnRod::kBetween, corner(node), along, way, passed);
   }
 
   // An end at the same edge or corner bears its part of the load itself.

@@ -16,6 +16,7 @@ struct SurfaceContact {
   OnSurface feature;
   int index;     // of the triangle, of the edge in edges(), of the node
   int triangle;  // that bears it
+  int part;      // of the triangle: 0 its face, 1 to 3 an edge, 4 to 6 a corner
   double along;  // of the point on the rod's axis, from its centre (m)
   Vec3 normal;   // unit, from the surface to the rod's side of it
   double distance;  // of that point along it, negative once it is through (m)
@@ -28,7 +29,7 @@ struct SurfaceContact {
 // A contact of the last step: which side the rod is on.
 struct RememberedSide {
   OnRod place;
-  int triangle;
+  int triangle, part;  // as in SurfaceContact
   Vec3 normal;
 };
 

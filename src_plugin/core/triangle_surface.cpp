@@ -184,6 +184,7 @@ void TriangleSurface::find_edges(double smooth_turn)
     sides[ordered(last, pair.second)].push_back(side);
   }
 
+  std::vector<Link> links;
   Groups facets(count()), patches(count());
   std::vector<std::vector<int>> all_around(node_at_.size());
   edges_at_.resize(node_at_.size());
@@ -191,15 +192,27 @@ void TriangleSurface::find_edges(double smooth_turn)
     all_around[pair.first].push_back(pair.second);
     all_around[pair.second].push_back(pair.first);
     constexpr double kHalfTurn = 3.14159265358979323846;
-    SurfaceEdge edge{{pair.first, pair.second}, {}, kHalfTurn, false};
-    for (const Side &side : beside) edge.triangles.push_back(side.triangle);
+    SurfaceEdge edge{{pair.first, pair.second}, {}, {}, kHalfTurn, false};
+    for (const Side &side : beside) {
+      edge.triangles.push_back(side.triangle);
+      edge.own_edges.push_back(side.edge);
+    }
     if (beside.size() == 2) {
       edge.turn = turn_between(shapes_[beside[0].triangle].inwards[beside[0].edge],
                                shapes_[beside[1].triangle].inwards[beside[1].edge]);
       edge.is_smooth = edge.turn <= smooth_turn;
       if (edge.turn <= kFlatTurn) facets.join(edge.triangles[0], edge.triangles[1]);
-      if (edge.turn <= kFlatTurn || edge.is_smooth)
+      if (edge.turn <= kFlatTurn || edge.is_smooth) {
         patches.join(edge.triangles[0], edge.triangles[1]);
+        // Two triangles of one orientation run along their common edge in opposite directions.
+        const auto way = [&](const Side &side) {
+          const Corners &corners = shapes_[side.triangle].corners;
+          return dot(corners[(side.edge + 1) % 3] - corners[side.edge],
+                     node(pair.second) - node(pair.first));
+        };
+        const bool opposite = way(beside[0]) * way(beside[1]) < 0.0;
+        links.push_back({{edge.triangles[0], edge.triangles[1]}, opposite ? 1.0 : -1.0});
+      }
       if (edge.turn <= kFlatTurn) continue;
     }
     for (const int n : edge.nodes) edges_at_[n].push_back(static_cast<int>(edges_.size()));
@@ -211,11 +224,36 @@ void TriangleSurface::find_edges(double smooth_turn)
     facets_[t] = facets.of(t);
     patches_[t] = patches.of(t);
   }
+  orient(links);
   around_.resize(node_at_.size());
   for (size_t n = 0; n < node_at_.size(); n++) {
     if (edges_at_[n].empty()) continue;
     corner_nodes_.push_back(static_cast<int>(n));
     around_[n] = std::move(all_around[n]);
+  }
+}
+
+void TriangleSurface::orient(const std::vector<Link> &links)
+{
+  std::vector<std::vector<const Link *>> at(shapes_.size());
+  for (const Link &link : links)
+    for (const int triangle : link.triangles) at[triangle].push_back(&link);
+  orientations_.assign(shapes_.size(), 0.0);
+  std::vector<int> open;
+  for (int first = 0; first < count(); first++) {
+    if (orientations_[first] != 0.0) continue;
+    orientations_[first] = 1.0;
+    open.push_back(first);
+    while (!open.empty()) {
+      const int triangle = open.back();
+      open.pop_back();
+      for (const Link *link : at[triangle]) {
+        const int other = link->triangles[link->triangles[0] == triangle ? 1 : 0];
+        if (orientations_[other] != 0.0) continue;
+        orientations_[other] = link->orientation * orientations_[triangle];
+        open.push_back(other);
+      }
+    }
   }
 }
 

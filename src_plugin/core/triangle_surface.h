@@ -40,7 +40,8 @@ constexpr double kFlatTurn = 1e-5;
 // Where a facet ends: between two facets, or at nothing.
 struct SurfaceEdge {
   int nodes[2];
-  std::vector<int> triangles;  // beside it, one or two of a surface that is not branched
+  // Beside it, one or two of a surface that is not branched; and which of its own edges it is of each.
+  std::vector<int> triangles, own_edges;
   double turn;                 // between their normals, 0 to pi; pi at a free edge (rad)
   bool is_smooth;              // not sharper than what the surface was told to be
 };
@@ -59,6 +60,8 @@ class TriangleSurface {
   const TriangleShape &shape(int triangle) const { return shapes_[triangle]; }
   int facet(int triangle) const { return facets_[triangle]; }  // a number for each
   int patch(int triangle) const { return patches_[triangle]; }
+  // 1 or -1: times the normal, the same side of the whole patch (unless it has but one).
+  double orientation(int triangle) const { return orientations_[triangle]; }
 
   // Those between facets, and free ones.
   const std::vector<SurfaceEdge> &edges() const { return edges_; }
@@ -69,6 +72,7 @@ class TriangleSurface {
   const Vec3 &node(int node) const { return shapes_[node_at_[node][0]].corners[node_at_[node][1]]; }
   const std::vector<int> &nodes_around(int node) const { return around_[node]; }
   int triangle_at(int node) const { return node_at_[node][0]; }
+  int own_corner_at(int node) const { return node_at_[node][1]; }  // of that triangle
   const std::vector<int> &edges_at(int node) const { return edges_at_[node]; }
 
   // Whether two triangles share a node.
@@ -79,12 +83,18 @@ class TriangleSurface {
   std::vector<std::array<int, 3>> nodes_;  // of each triangle
   std::vector<std::array<int, 2>> node_at_;  // a triangle and its corner
   std::vector<int> facets_, patches_;
+  std::vector<double> orientations_;
   std::vector<SurfaceEdge> edges_;
   std::vector<int> corner_nodes_;
   std::vector<std::vector<int>> around_, edges_at_;  // of corner nodes, else empty
 
   void join_nodes();
   void find_edges(double smooth_turn);
+  struct Link {
+    int triangles[2];
+    double orientation;  // 1 if both have their normal on the same side
+  };
+  void orient(const std::vector<Link> &links);
 };
 
 }  // namespace spherocylinder
