@@ -52,8 +52,10 @@ void MeshGatherer::take_before()
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
   }
   for (const MeshHistories::Contact &contact : before_) {
-    const Vec3 near = capsule_.segment.at(contact.along);
-    triangles_before_.push_back(mesh_->triangle_of(contact.triangle_id, near));
+    triangles_before_.push_back(contact.topology == mesh_->topology()
+                                    ? contact.triangle
+                                    : mesh_->triangle_of(contact.triangle_id,
+                                                         capsule_.segment.at(contact.along)));
     if (triangles_before_.back() >= 0)
       remembered_.push_back(
           {static_cast<OnRod>(contact.place), triangles_before_.back(), contact.part,
@@ -101,7 +103,8 @@ int MeshGatherer::agreement(const SurfaceContact &now, size_t before) const
 void MeshGatherer::match()
 {
   constexpr int kNone = -1;
-  std::vector<int> source(found_.size(), kNone);
+  std::vector<int> &source = source_;
+  source.assign(found_.size(), kNone);
   for (int worst = kSamePart; worst < kStranger; worst++)
     for (size_t k = 0; k < found_.size(); k++) {
       if (source[k] != kNone) continue;
@@ -127,7 +130,8 @@ void MeshGatherer::match()
       before_[source[k]].mesh = kNone;
     }
     kept.push_back({number_, static_cast<int>(contact.place), mesh_->id(contact.triangle),
-                    contact.part, contact.along, contact.normal, std::move(values)});
+                    contact.part, contact.along, contact.normal, std::move(values),
+                    contact.triangle, mesh_->topology()});
   }
 }
 

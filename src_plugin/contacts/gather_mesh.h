@@ -52,7 +52,7 @@ class MeshGatherer : protected Pointers {
   std::vector<spherocylinder::SurfaceContact> found_;
   std::vector<spherocylinder::RememberedSide> remembered_;
   MeshHistories::Contacts before_;  // of this mesh
-  std::vector<int> triangles_before_;
+  std::vector<int> triangles_before_, source_;
 
   void take_before();
   void match();

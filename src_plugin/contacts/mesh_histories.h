@@ -19,6 +19,9 @@ class MeshHistories {
     double along;     // of the point on the axis (m)
     spherocylinder::Vec3 normal;
     std::vector<double> values;  // of the models
+
+    // The triangle in the present MeshSurface, if its topology() is still this.
+    int triangle = -1, topology = -1;
   };
   using Contacts = std::vector<Contact>;
 

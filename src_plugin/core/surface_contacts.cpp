@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/closest_points.h"
 
@@ -13,6 +15,20 @@ namespace {
 // Where features meet, both are asked as far as this (over the rod's radius) beyond their own bounds, so
 // that neither rounding nor the turn of flat facets leaves a gap: what both find is one contact.
 constexpr double kSeam = kFlatTurn;
+
+// Coordinates in a triangle's plane.
+struct Rectangle {
+  Vec3 origin, across_edge, along_edge;
+
+  Rectangle(const TriangleShape &shape, int edge)
+      : origin(shape.corners[0]),
+        across_edge(shape.inwards[edge]),
+        along_edge(cross(shape.inwards[edge], shape.normal))
+  {
+  }
+  double across(const Vec3 &point) const { return dot(point - origin, across_edge); }
+  double along(const Vec3 &point) const { return dot(point - origin, along_edge); }
+};
 
 class Finder {
  public:
@@ -149,14 +165,35 @@ class Finder {
   void find_of_end(OnRod place)
   {
     const size_t first = contacts_.size();
-    const double along = place == OnRod::kEndMinus ? -axis_.half_length : axis_.half_length;
+    const int which = place == OnRod::kEndMinus ? 0 : 1;
+    const double along = which == 0 ? -axis_.half_length : axis_.half_length;
     const Vec3 end = axis_.at(along);
-    for (const int triangle : near_.triangles[place == OnRod::kEndMinus ? 0 : 1])
-      add_over_face(place, triangle, along, end);
+    for (const NearFacet &facet : near_.facets[which])
+      if (const int triangle = holder_of_foot(facet, near_.triangles[which].data(), end);
+          triangle >= 0)
+        add_over_face(place, triangle, along, end);
     for (const int edge : near_.edges) add_at_edge(place, edge, along, end);
     for (const int corner : near_.corners) add_at_corner(place, corner, along, end);
     drop_twins(first);
     share_valley(first);
+  }
+
+  // The facet's triangle over which the end is, -1 if none.
+  int holder_of_foot(const NearFacet &facet, const int *triangles, const Vec3 &end) const
+  {
+    const Rectangle in(surface_.shape(triangles[facet.first]), facet.edge);
+    const double x = in.across(end), y = in.along(end);
+    if (x < facet.low[0] - seam_ || x > facet.high[0] + seam_ || y < facet.low[1] - seam_ ||
+        y > facet.high[1] + seam_)
+      return -1;
+    if (surface_.shape(triangles[facet.last]).holds_foot(end, 0.0)) return triangles[facet.last];
+    for (const double margin : {0.0, seam_})
+      for (int k = facet.first; k < facet.first + facet.count; k++)
+        if (surface_.shape(triangles[k]).holds_foot(end, margin)) {
+          facet.last = k;
+          return triangles[k];
+        }
+    return -1;
   }
 
   void add_over_face(OnRod place, int triangle, double along, const Vec3 &end)
@@ -165,7 +202,6 @@ class Finder {
     const double height = shape.height(end);
     if (remembered_.empty() && std::fabs(height) > rod_.radius && !goes_through(axis_, shape))
       return;
-    if (!shape.holds_foot(end, seam_)) return;
     double side = side_of_memory(place, triangle);
     if (side == 0.0) {
       const bool goes = goes_through(axis_, shape);
@@ -339,6 +375,7 @@ class Finder {
   void share_facets(size_t ends)
   {
     const size_t count = contacts_.size();
+    if (count - ends < 2) return;
     std::vector<double> sums(count, 0.0);
     for (size_t a = ends; a < count; a++)
       for (size_t b = ends; b < count; b++)
@@ -358,7 +395,50 @@ class Finder {
   }
 };
 
+// Of the rectangles along the first triangle's edges the smallest.
+NearFacet narrowest(const TriangleSurface &surface, const int *triangles, NearFacet facet)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int edge = 0; edge < 3; edge++) {
+    const Rectangle in(surface.shape(triangles[facet.first]), edge);
+    double low[2] = {0.0, 0.0}, high[2] = {0.0, 0.0};
+    for (int k = facet.first; k < facet.first + facet.count; k++)
+      for (const Vec3 &corner : surface.shape(triangles[k]).corners) {
+        const double at[2] = {in.across(corner), in.along(corner)};
+        for (int d = 0; d < 2; d++) {
+          low[d] = std::min(low[d], at[d]);
+          high[d] = std::max(high[d], at[d]);
+        }
+      }
+    const double area = (high[0] - low[0]) * (high[1] - low[1]);
+    if (area >= smallest) continue;
+    smallest = area;
+    facet.edge = edge;
+    std::copy_n(low, 2, facet.low);
+    std::copy_n(high, 2, facet.high);
+  }
+  return facet;
+}
+
 }  // namespace
+
+void group_facets(const TriangleSurface &surface, NearFeatures &near)
+{
+  for (int end = 0; end < 2; end++) {
+    std::vector<int> &triangles = near.triangles[end];
+    std::sort(triangles.begin(), triangles.end(), [&](int a, int b) {
+      return std::pair(surface.facet(a), a) < std::pair(surface.facet(b), b);
+    });
+    near.facets[end].clear();
+    const int count = static_cast<int>(triangles.size());
+    for (int first = 0, next = 0; first < count; first = next) {
+      while (next < count && surface.facet(triangles[next]) == surface.facet(triangles[first]))
+        next++;
+      near.facets[end].push_back(
+          narrowest(surface, triangles.data(), {first, next - first, 0, {}, {}, first}));
+    }
+  }
+}
 
 void find_contacts(const Capsule &rod, const TriangleSurface &surface, const NearFeatures &near,
                    const std::vector<RememberedSide> &remembered,

@@ -33,11 +33,24 @@ struct RememberedSide {
   Vec3 normal;
 };
 
+// The triangles of one facet near an end, and a rectangle around them, in the facet and along an edge of the
+// first: of fine tilings one triangle is asked, not all.
+struct NearFacet {
+  int first, count;  // in NearFeatures::triangles
+  int edge;          // of the first triangle: the rectangle's first side is at right angles to it
+  double low[2], high[2];
+  mutable int last;  // that held the end's foot (in NearFeatures::triangles)
+};
+
 // What of a surface a rod may touch: all whose distance from the axis is at most the radius must be there.
 struct NearFeatures {
-  std::vector<int> triangles[2];  // near either end
+  std::vector<int> triangles[2];     // near either end
+  std::vector<NearFacet> facets[2];  // of them: group_facets()
   std::vector<int> edges, corners;
 };
+
+// Once the triangles are known. They may move after that, as one body.
+void group_facets(const TriangleSurface &surface, NearFeatures &near);
 
 // Of a rod whose axis goes through a triangle that no contact remembers a side of, its centre's side is
 // taken.

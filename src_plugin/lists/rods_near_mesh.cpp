@@ -87,8 +87,8 @@ bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeature
       if (std::fabs(shape.height(ends[k])) <= reach && shape.holds_foot(ends[k], reach))
         features.triangles[k].push_back(triangle);
     }
-    std::sort(features.triangles[k].begin(), features.triangles[k].end());
   }
+  group_facets(surface, features);
 
   const Box box = widened(around(ends[0], ends[1]), reach);
   features.edges.clear();
@@ -105,6 +105,11 @@ bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeature
   mesh.corner_boxes().find(box, found_);
   for (const int found : found_) {
     const int corner = surface.corner_nodes()[found];
+    const std::vector<int> &edges = surface.edges_at(corner);
+    if (std::all_of(edges.begin(), edges.end(), [&](int edge) {
+          return is_in_valley(surface, surface.edges()[edge], axis);
+        }))
+      continue;
     const Vec3 &at = surface.node(corner);
     if (norm_squared(axis.at(closest_position(axis, at)) - at) <= reach * reach)
       features.corners.push_back(corner);

@@ -62,6 +62,7 @@ void MeshSurface::read()
   if (are_the_same && mesh.isMoving()) {
     surface_.move_to(corners_);
   } else {
+    topology_++;
     ids_ = std::move(ids);
     triangles_.clear();
     for (size_t t = 0; t < ids_.size(); t++) triangles_.emplace(ids_[t], static_cast<int>(t));

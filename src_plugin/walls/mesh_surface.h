@@ -41,6 +41,8 @@ class MeshSurface {
   // triangles are others (m).
   double shift() const { return shift_; }
   int version() const { return version_; }
+  // Another number each time that triangles have other places in surface().
+  int topology() const { return topology_; }
   void keep_place();
   // How far any corner came in the last step (m).
   double step() const { return step_; }
@@ -53,7 +55,7 @@ class MeshSurface {
   spherocylinder::TriangleSurface surface_;
   spherocylinder::BoxTree triangle_boxes_, edge_boxes_, corner_boxes_;
   double shift_ = 0.0, step_ = 0.0;
-  int version_ = 0;
+  int version_ = 0, topology_ = 0;
 
   void read_corners(std::vector<spherocylinder::Corners> &corners) const;
   void make_trees();
