@@ -70,6 +70,7 @@ int MeshGatherer::find(const RodsNearMesh::Near &near, ContactLaw &law)
   take_before();
   find_contacts(capsule_, mesh_->surface(), near.features, remembered_, found_);
   match();
+  if (!near.features.pierced.empty() && remembered_.empty()) warn_of_pierced(near.features);
   for (MeshHistories::Contact &contact : before_)
     if (contact.mesh == number_ && !contact.values.empty())
       law.contact_ended(rod_, -1, nullptr, contact.values.data());
@@ -123,7 +124,6 @@ void MeshGatherer::match()
   MeshHistories::Contacts &kept = histories_->of(rod_);
   for (size_t k = 0; k < found_.size(); k++) {
     const SurfaceContact &contact = found_[k];
-    if (source[k] == kNone) warn_of_new_through_face(contact);
     std::vector<double> values(source[k] == kNone ? histories_->values() : 0, 0.0);
     if (source[k] != kNone) {
       values = std::move(before_[source[k]].values);
@@ -135,16 +135,14 @@ void MeshGatherer::match()
   }
 }
 
-void MeshGatherer::warn_of_new_through_face(const SurfaceContact &contact)
+void MeshGatherer::warn_of_pierced(const NearFeatures &features)
 {
-  if (warned_ || contact.feature != OnSurface::kFace ||
-      !goes_through(capsule_.segment, mesh_->surface().shape(contact.triangle)))
-    return;
+  if (warned_) return;
   warned_ = true;
   rod_warning(lmp,
-              "Fix wall/gran (id %s): rod %d goes through triangle %d of mesh %s at step " BIGINT_FORMAT
-              " and did not touch it before; it is pushed to the side where its centre is",
-              fix_->id, atom->tag[rod_], mesh_->id(contact.triangle), mesh_->fix().id,
+              "Fix wall/gran (id %s): rod %d goes through a face of mesh %s, near triangle %d, at "
+              "step " BIGINT_FORMAT "; it is pushed to the side where its centre is",
+              fix_->id, atom->tag[rod_], mesh_->fix().id, mesh_->id(features.pierced.front()),
               update->ntimestep);
 }
 

@@ -57,7 +57,7 @@ class MeshGatherer : protected Pointers {
   void take_before();
   void match();
   int agreement(const spherocylinder::SurfaceContact &now, size_t before) const;
-  void warn_of_new_through_face(const spherocylinder::SurfaceContact &contact);
+  void warn_of_pierced(const spherocylinder::NearFeatures &features);
   double coupling(size_t k, const spherocylinder::InverseInertia &inverse) const;
 };
 

@@ -42,6 +42,13 @@ BoxTree::BoxTree(const std::vector<Box> &boxes) : order_(boxes.size())
 {
   std::iota(order_.begin(), order_.end(), 0);
   if (!boxes.empty()) build(boxes, 0, static_cast<int>(boxes.size()));
+  keep(boxes);
+}
+
+void BoxTree::keep(const std::vector<Box> &boxes)
+{
+  boxes_.resize(boxes.size());
+  for (size_t k = 0; k < order_.size(); k++) boxes_[k] = boxes[order_[k]];
 }
 
 void BoxTree::build(const std::vector<Box> &boxes, int first, int count)
@@ -65,6 +72,7 @@ void BoxTree::build(const std::vector<Box> &boxes, int first, int count)
 
 void BoxTree::move_to(const std::vector<Box> &boxes)
 {
+  keep(boxes);
   for (size_t place = nodes_.size(); place-- > 0;) {  // children stand behind their node
     Node &node = nodes_[place];
     if (node.count == 0) {
@@ -90,8 +98,8 @@ void BoxTree::find(const Box &wanted, std::vector<int> &found) const
       open.push_back(node.first);
       open.push_back(place + 1);
     } else {
-      found.insert(found.end(), order_.begin() + node.first,
-                   order_.begin() + node.first + node.count);
+      for (int k = node.first; k < node.first + node.count; k++)
+        if (boxes_[k].meets(wanted)) found.push_back(order_[k]);
     }
   }
 }

@@ -43,8 +43,10 @@ class BoxTree {
   };
   std::vector<Node> nodes_;  // a node's first child follows it
   std::vector<int> order_;
+  std::vector<Box> boxes_;  // in this order
 
   void build(const std::vector<Box> &boxes, int first, int count);
+  void keep(const std::vector<Box> &boxes);
 };
 
 }  // namespace spherocylinder

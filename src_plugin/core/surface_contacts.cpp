@@ -2,6 +2,7 @@
 #include "core/surface_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -40,23 +41,23 @@ class Finder {
         near_(near),
         remembered_(remembered),
         contacts_(contacts),
-        seam_(kSeam * rod.radius)
+        seam_(std::max(kSeam * rod.radius, surface.one_node()))
   {
   }
 
   void find()
   {
     contacts_.clear();
-    if (axis_.half_length == 0.0) {
-      find_of_end(OnRod::kEndMinus);
-    } else {
-      find_of_end(OnRod::kEndMinus);
+    find_of_end(OnRod::kEndMinus);
+    if (axis_.half_length > 0.0) {
       find_of_end(OnRod::kEndPlus);
       const size_t ends = contacts_.size();
       for (const int edge : near_.edges) add_between_at_edge(edge);
       for (const int corner : near_.corners) add_between_at_corner(corner);
-      give_way_to_ends(ends);
-      share_facets(ends);
+      if (contacts_.size() > ends) {
+        drop_twins(ends);
+        share_between(ends);
+      }
     }
     const auto is_nothing = [](const SurfaceContact &contact) { return !(contact.weight > 0.0); };
     contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), is_nothing),
@@ -70,22 +71,7 @@ class Finder {
   const NearFeatures &near_;
   const std::vector<RememberedSide> &remembered_;
   std::vector<SurfaceContact> &contacts_;
-  const double seam_;
-
-  // Which side of a face an end is on that touched its smooth surface in the last step: 1 or -1 along the
-  // face's normal, 0 if nothing is known.
-  double side_of_memory(OnRod place, int triangle) const
-  {
-    for (const RememberedSide &memory : remembered_) {
-      if (memory.place != place || surface_.patch(memory.triangle) != surface_.patch(triangle))
-        continue;
-      const double along = dot(memory.normal, surface_.shape(memory.triangle).normal);
-      if (along != 0.0)
-        return (along < 0.0 ? -1.0 : 1.0) * surface_.orientation(memory.triangle) *
-               surface_.orientation(triangle);
-    }
-    return 0.0;
-  }
+  const double seam_;  // m
 
   // What bears a contact: of an edge or a corner one of its triangles.
   struct Bearer {
@@ -93,16 +79,19 @@ class Finder {
     int index, triangle, part;
   };
   static Bearer face(int triangle) { return {OnSurface::kFace, triangle, triangle, 0}; }
-  Bearer edge(int index, int nth_triangle = 0) const
-  {
-    const SurfaceEdge &edge = surface_.edges()[index];
-    return {OnSurface::kEdge, index, edge.triangles[nth_triangle],
-            1 + edge.own_edges[nth_triangle]};
-  }
   Bearer corner(int node) const
   {
     return {OnSurface::kCorner, node, surface_.triangle_at(node),
             4 + surface_.own_corner_at(node)};
+  }
+  // `place`: over the edge's length; `nth`: of the facets beside it.
+  Bearer edge(int index, double place, int nth = 0) const
+  {
+    const auto &pieces = surface_.edges()[index].pieces;
+    size_t k = 0;
+    while (k + 1 < pieces.size() && place > pieces[k].end) k++;
+    const TrianglePart &part = pieces[k].beside[nth];
+    return {OnSurface::kEdge, index, part.triangle, 1 + part.number};
   }
 
   void add(OnRod place, const Bearer &bearer, double along, const Vec3 &normal, double distance,
@@ -110,35 +99,6 @@ class Finder {
   {
     contacts_.push_back({place, bearer.feature, bearer.index, bearer.triangle, bearer.part, along,
                          normal, distance, weight});
-  }
-
-  // Whether from here the surface falls away on all sides of an edge's point: `way` leads from it.
-  bool stands_out(const SurfaceEdge &edge, const Vec3 &way) const
-  {
-    for (const int triangle : edge.triangles)
-      if (dot(way, inwards_of(edge, triangle)) > seam_) return false;
-    return true;
-  }
-  bool corner_stands_out(int corner, const Vec3 &way) const
-  {
-    const Vec3 &at = surface_.node(corner);
-    for (const int other : surface_.nodes_around(corner)) {
-      const Vec3 along = surface_.node(other) - at;
-      if (dot(way, along) > seam_ * norm(along)) return false;
-    }
-    return true;
-  }
-
-  // In the triangle's plane, at right angles to an edge that may be a part of its own.
-  Vec3 inwards_of(const SurfaceEdge &edge, int triangle) const
-  {
-    const Vec3 along = surface_.node(edge.nodes[1]) - surface_.node(edge.nodes[0]);
-    const TriangleShape &shape = surface_.shape(triangle);
-    const Vec3 across = cross(shape.normal, along);
-    const Vec3 middle =
-        (1.0 / 3.0) * (shape.corners[0] + shape.corners[1] + shape.corners[2]);
-    const double sign = dot(middle - surface_.node(edge.nodes[0]), across) < 0.0 ? -1.0 : 1.0;
-    return (sign / norm(across)) * across;
   }
 
   // Adds a contact whose surface point is `way` away from the rod's, on the remembered side.
@@ -160,6 +120,29 @@ class Finder {
     return false;
   }
 
+  // Whether from here the surface falls away on all sides of an edge's point: `way` leads from it.
+  bool stands_out(const SurfaceEdge &edge, const Vec3 &way) const
+  {
+    for (const TrianglePart &side : edge.beside)
+      if (dot(way, inwards_of(side)) > seam_) return false;
+    return true;
+  }
+  bool corner_stands_out(int corner, const Vec3 &way) const
+  {
+    const Vec3 &at = surface_.node(corner);
+    for (const int other : surface_.nodes_around(corner)) {
+      const Vec3 along = surface_.node(other) - at;
+      if (dot(way, along) > seam_ * norm(along)) return false;
+    }
+    for (const TrianglePart &side : surface_.triangles_through(corner))
+      if (dot(way, inwards_of(side)) > seam_) return false;
+    return true;
+  }
+  const Vec3 &inwards_of(const TrianglePart &side) const
+  {
+    return surface_.shape(side.triangle).inwards[side.number];
+  }
+
   // ---- ends -------------------------------------------------------------------------------------
 
   void find_of_end(OnRod place)
@@ -174,7 +157,9 @@ class Finder {
         add_over_face(place, triangle, along, end);
     for (const int edge : near_.edges) add_at_edge(place, edge, along, end);
     for (const int corner : near_.corners) add_at_corner(place, corner, along, end);
+    if (contacts_.size() - first < 2) return;
     drop_twins(first);
+    drop_hidden(first);
     share_valley(first);
   }
 
@@ -189,25 +174,49 @@ class Finder {
     if (surface_.shape(triangles[facet.last]).holds_foot(end, 0.0)) return triangles[facet.last];
     for (const double margin : {0.0, seam_})
       for (int k = facet.first; k < facet.first + facet.count; k++)
-        if (surface_.shape(triangles[k]).holds_foot(end, margin)) {
+        if (surface_.shape(triangles[k]).holds_foot(end, margins(triangles[k], margin))) {
           facet.last = k;
           return triangles[k];
         }
     return -1;
+  }
+  // Only within a facet there may be a gap: edges are asked as far as the seam themselves.
+  std::array<double, 3> margins(int triangle, double margin) const
+  {
+    const std::array<bool, 3> &flat = surface_.flat_edges(triangle);
+    return {flat[0] ? margin : 0.0, flat[1] ? margin : 0.0, flat[2] ? margin : 0.0};
+  }
+
+  // 1 or -1 along the face's normal, 0 if nothing is known.
+  double side_of_memory(OnRod place, int triangle) const
+  {
+    for (const RememberedSide &memory : remembered_) {
+      if (memory.place != place) continue;
+      const bool is_same = surface_.facet(memory.triangle) == surface_.facet(triangle);
+      if (!is_same && (surface_.patch(memory.triangle) != surface_.patch(triangle) ||
+                       !surface_.are_neighbours(memory.triangle, triangle)))
+        continue;
+      const double along = dot(memory.normal, surface_.shape(memory.triangle).normal);
+      if (along != 0.0)
+        return (along < 0.0 ? -1.0 : 1.0) * surface_.orientation(memory.triangle) *
+               surface_.orientation(triangle);
+    }
+    return 0.0;
+  }
+  bool is_pierced(int triangle) const
+  {
+    const std::vector<int> &pierced = near_.pierced;
+    return std::find(pierced.begin(), pierced.end(), surface_.facet(triangle)) != pierced.end();
   }
 
   void add_over_face(OnRod place, int triangle, double along, const Vec3 &end)
   {
     const TriangleShape &shape = surface_.shape(triangle);
     const double height = shape.height(end);
-    if (remembered_.empty() && std::fabs(height) > rod_.radius && !goes_through(axis_, shape))
-      return;
     double side = side_of_memory(place, triangle);
     if (side == 0.0) {
-      const bool goes = goes_through(axis_, shape);
-      if (!goes && std::fabs(height) > rod_.radius) return;
-      const double of_centre = shape.height(axis_.centre);
-      side = (goes && of_centre != 0.0 ? of_centre : height) < 0.0 ? -1.0 : 1.0;
+      const double of_centre = is_pierced(triangle) ? shape.height(axis_.centre) : 0.0;
+      side = (of_centre != 0.0 ? of_centre : height) < 0.0 ? -1.0 : 1.0;
     }
     if (side * height > rod_.radius) return;
     add(place, face(triangle), along, side * shape.normal, side * height);
@@ -220,9 +229,10 @@ class Finder {
     if (std::fabs(on_edge) > segment.half_length) return;
     const Vec3 way = end - segment.at(on_edge);
     if (norm_squared(way) > rod_.radius * rod_.radius) return;
-    const bool passed = has_passed(place, edge(index), way);
+    const Bearer bearer = edge(index, 0.5 + 0.5 * on_edge / segment.half_length);
+    const bool passed = has_passed(place, bearer, way);
     if (!stands_out(surface_.edges()[index], passed ? -way : way)) return;
-    add_by_way(place, edge(index), along, way, passed);
+    add_by_way(place, bearer, along, way, passed);
   }
 
   void add_at_corner(OnRod place, int node, double along, const Vec3 &end)
@@ -234,16 +244,41 @@ class Finder {
     add_by_way(place, corner(node), along, way, passed);
   }
 
-  // Of contacts at one point of the surface the nearest stays, of equal ones the first.
+  // Of contacts at one point of the surface that with the largest weight stays, of equal ones the nearest, of
+  // equal ones the first.
   void drop_twins(size_t first)
   {
     for (size_t a = first; a < contacts_.size(); a++)
+      for (size_t b = a + 1; b < contacts_.size(); b++) {
+        SurfaceContact &one = contacts_[a], &other = contacts_[b];
+        if (!(one.weight > 0.0) || !(other.weight > 0.0)) continue;
+        const Vec3 between = one.on_surface(axis_) - other.on_surface(axis_);
+        if (norm(between) > 4.0 * seam_ || std::fabs(one.along - other.along) > 4.0 * seam_)
+          continue;
+        const bool other_stays = other.weight != one.weight ? other.weight > one.weight
+                                                            : other.distance < one.distance;
+        (other_stays ? one : other).weight = 0.0;
+      }
+  }
+
+  // A face that another one hides from the end, as the far side of a thin plate, does not touch it.
+  void drop_hidden(size_t first)
+  {
+    for (size_t a = first; a < contacts_.size(); a++)
       for (size_t b = first; b < contacts_.size(); b++) {
-        if (a == b || !(contacts_[a].weight > 0.0) || !(contacts_[b].weight > 0.0)) continue;
-        const Vec3 between = contacts_[a].on_surface(axis_) - contacts_[b].on_surface(axis_);
-        if (norm(between) > 4.0 * seam_) continue;
-        const double a_less_b = contacts_[a].distance - contacts_[b].distance;
-        if (a_less_b > 0.0 || (a_less_b == 0.0 && a > b)) contacts_[a].weight = 0.0;
+        if (a == b || !is_face(a) || !is_face(b)) continue;
+        const SurfaceContact &front = contacts_[a];
+        SurfaceContact &behind = contacts_[b];
+        if (!(front.distance < behind.distance) || front.distance < 0.0 ||
+            dot(front.normal, behind.normal) <= 0.0)
+          continue;
+        const Vec3 from = axis_.at(front.along), to = behind.on_surface(axis_);
+        const TriangleShape &shape = surface_.shape(front.triangle);
+        const double height = dot(to - shape.corners[0], front.normal);
+        if (height > -4.0 * seam_) continue;
+        const Vec3 crossing =
+            from + (front.distance / (front.distance - height)) * (to - from);
+        if (shape.holds_foot(crossing, rod_.radius)) behind.weight = 0.0;
       }
   }
 
@@ -252,37 +287,41 @@ class Finder {
   void share_valley(size_t first)
   {
     const size_t count = contacts_.size();
-    if (count - first < 2) return;
     std::vector<double> from_valley(count, -1.0);
     for (size_t a = first; a < count; a++)
       for (size_t b = first; b < count; b++) {
-        if (a == b || !is_face(a) || !is_face(b)) continue;
+        if (a == b || !make_a_valley(a, b)) continue;
         const SurfaceContact &one = contacts_[a], &other = contacts_[b];
-        if (surface_.patch(one.triangle) != surface_.patch(other.triangle)) continue;
         const double sine = norm(cross(one.normal, other.normal));
         const Vec3 foot = one.on_surface(axis_);
-        const double over =
-            dot(foot - surface_.shape(other.triangle).corners[0], other.normal);
+        const double over = dot(foot - surface_.shape(other.triangle).corners[0], other.normal);
         const double way = std::max(0.0, sine > 0.0 ? over / sine : 0.0);
         from_valley[a] = from_valley[a] < 0.0 ? way : std::min(from_valley[a], way);
       }
+    std::vector<double> weights(count, -1.0);
     for (size_t a = first; a < count; a++) {
       if (from_valley[a] < 0.0) continue;
-      double sum = 0.0;
-      int members = 0;
+      double sum = from_valley[a];
+      int members = 1;
       for (size_t b = first; b < count; b++) {
-        if (from_valley[b] < 0.0 ||
-            surface_.patch(contacts_[a].triangle) != surface_.patch(contacts_[b].triangle))
-          continue;
+        if (a == b || !make_a_valley(a, b)) continue;
         sum += from_valley[b];
         members++;
       }
-      contacts_[a].weight = sum > 0.0 ? from_valley[a] / sum : 1.0 / members;
+      weights[a] = sum > 0.0 ? from_valley[a] / sum : 1.0 / members;
     }
+    for (size_t a = first; a < count; a++)
+      if (weights[a] >= 0.0) contacts_[a].weight = weights[a];
   }
   bool is_face(size_t k) const
   {
     return contacts_[k].feature == OnSurface::kFace && contacts_[k].weight > 0.0;
+  }
+  bool make_a_valley(size_t a, size_t b) const
+  {
+    return is_face(a) && is_face(b) &&
+           surface_.meet_smoothly(surface_.facet(contacts_[a].triangle),
+                                  surface_.facet(contacts_[b].triangle));
   }
 
   // ---- between the ends -------------------------------------------------------------------------
@@ -295,22 +334,23 @@ class Finder {
     const ClosestPoints nearest = closest_points(axis_, segment);
     if (nearest.distance_squared > rod_.radius * rod_.radius) return;
     if (is_between(nearest.s) && std::fabs(nearest.t) < segment.half_length) {
-      const bool passed = has_passed(OnRod::kBetween, edge(index), nearest.delta);
+      const Bearer bearer = edge(index, 0.5 + 0.5 * nearest.t / segment.half_length);
+      const bool passed = has_passed(OnRod::kBetween, bearer, nearest.delta);
       if (stands_out(surface_.edges()[index], passed ? -nearest.delta : nearest.delta)) {
-        add_by_way(OnRod::kBetween, edge(index), nearest.s, nearest.delta, passed);
+        add_by_way(OnRod::kBetween, bearer, nearest.s, nearest.delta, passed);
         return;
       }
     }
-    const int beside = static_cast<int>(surface_.edges()[index].triangles.size());
-    for (int nth = 0; nth < beside; nth++) add_over_rim(index, nth, segment);
+    const int facets = static_cast<int>(surface_.edges()[index].beside.size());
+    for (int nth = 0; nth < facets; nth++) add_over_rim(index, nth, segment);
   }
 
-  // The axis comes from beyond the edge and goes down over this triangle: its load at the rim.
-  void add_over_rim(int index, int nth_triangle, const Segment &segment)
+  // The axis comes from beyond the edge and goes down over this facet: its load at the rim.
+  void add_over_rim(int index, int nth, const Segment &segment)
   {
     const SurfaceEdge &rim = surface_.edges()[index];
-    const int triangle = rim.triangles[nth_triangle];
-    const Vec3 inwards = inwards_of(rim, triangle);
+    const TriangleShape &shape = surface_.shape(rim.beside[nth].triangle);
+    const Vec3 &inwards = inwards_of(rim.beside[nth]);
     const double crossing = dot(axis_.axis, inwards);
     if (crossing == 0.0) return;
     const double along = dot(segment.centre - axis_.centre, inwards) / crossing;
@@ -319,13 +359,15 @@ class Finder {
     const double on_edge = dot(on_axis - segment.centre, segment.axis);
     if (std::fabs(on_edge) > segment.half_length) return;
 
-    const double height = dot(on_axis - segment.at(on_edge), surface_.shape(triangle).normal);
+    const double height = dot(on_axis - segment.at(on_edge), shape.normal);
     if (std::fabs(height) > rod_.radius || height == 0.0) return;
-    Vec3 normal = (height < 0.0 ? -1.0 : 1.0) * surface_.shape(triangle).normal;
-    const bool passed = has_passed(OnRod::kBetween, edge(index, nth_triangle), normal);
+    const Bearer bearer = edge(index, 0.5 + 0.5 * on_edge / segment.half_length, nth);
+    Vec3 normal = (height < 0.0 ? -1.0 : 1.0) * shape.normal;
+    const bool passed = has_passed(OnRod::kBetween, bearer, normal);
     if (passed) normal = -normal;
-    for (const int other : rim.triangles)
-      if (other != triangle && dot(inwards_of(rim, other), normal) >= 0.0) return;  // a valley
+    for (size_t other = 0; other < rim.beside.size(); other++)
+      if (static_cast<int>(other) != nth && dot(inwards_of(rim.beside[other]), normal) >= 0.0)
+        return;  // a valley
 
     // Of the axis as it goes inwards, in the plane across the edge.
     const double down = -dot(axis_.axis, normal) * (crossing > 0.0 ? 1.0 : -1.0);
@@ -333,8 +375,8 @@ class Finder {
     if (tilt < 0.0) return;  // nearest at the edge itself, or beyond
     const double weight = 1.0 - tilt / (0.5 * rim.turn);
     if (weight > 0.0)
-      add(OnRod::kBetween, edge(index, nth_triangle), along, normal,
-          (passed ? -1.0 : 1.0) * std::fabs(height), weight);
+      add(OnRod::kBetween, bearer, along, normal, (passed ? -1.0 : 1.0) * std::fabs(height),
+          weight);
   }
 
   void add_between_at_corner(int node)
@@ -349,17 +391,43 @@ class Finder {
     add_by_way(OnRod::kBetween, corner(node), along, way, passed);
   }
 
-  // An end at the same edge or corner bears its part of the load itself.
-  void give_way_to_ends(size_t ends)
+  // How far two contacts are one, 0 to 1: by their distance along the axis, and by their normals.
+  double nearness(const SurfaceContact &a, const SurfaceContact &b) const
   {
-    for (size_t k = ends; k < contacts_.size(); k++) {
-      const double overlap = rod_.radius - contacts_[k].distance;
-      double of_ends = 0.0;
-      for (size_t end = 0; end < ends; end++)
-        if (contacts_[end].weight > 0.0 && are_at_one_edge(contacts_[end], contacts_[k]))
-          of_ends += rod_.radius - contacts_[end].distance;
-      if (of_ends > 0.0) contacts_[k].weight *= std::max(0.0, 1.0 - of_ends / overlap);
+    const double apart = std::fabs(a.along - b.along);
+    if (apart >= rod_.radius) return 0.0;
+    return (1.0 - apart / rod_.radius) * std::max(0.0, dot(a.normal, b.normal));
+  }
+
+  void share_between(size_t ends)
+  {
+    const size_t count = contacts_.size();
+    std::vector<double> shares(count, 0.0);
+    for (size_t k = ends; k < count; k++) {
+      const SurfaceContact &contact = contacts_[k];
+      if (!(contact.weight > 0.0)) continue;
+      double all = contact.weight;
+      for (size_t other = ends; other < count; other++)
+        if (other != k) all += contacts_[other].weight * nearness(contact, contacts_[other]);
+      shares[k] = contact.weight / std::max(1.0, all) * left_by_ends(contact, ends);
     }
+    for (size_t k = ends; k < count; k++) contacts_[k].weight = shares[k];
+  }
+
+  // Of the load of a contact between the ends: what those of the ends do not bear already.
+  double left_by_ends(const SurfaceContact &contact, size_t ends) const
+  {
+    const double overlap = rod_.radius - contact.distance;
+    if (!(overlap > 0.0)) return 1.0;
+    double left = 1.0, at_edge = 0.0;
+    for (size_t k = 0; k < ends; k++) {
+      const SurfaceContact &end = contacts_[k];
+      if (!(end.weight > 0.0)) continue;
+      const double of_end = rod_.radius - end.distance;
+      left *= 1.0 - std::min(1.0, of_end / overlap) * end.weight * nearness(contact, end);
+      if (are_at_one_edge(contact, end)) at_edge += of_end / overlap;
+    }
+    return std::min(left, std::max(0.0, 1.0 - at_edge));
   }
   bool are_at_one_edge(const SurfaceContact &a, const SurfaceContact &b) const
   {
@@ -369,29 +437,6 @@ class Finder {
     const SurfaceContact &corner = a.feature == OnSurface::kEdge ? b : a;
     const auto &nodes = surface_.edges()[edge.index].nodes;
     return nodes[0] == corner.index || nodes[1] == corner.index;
-  }
-
-  // Smooth edges of one facet share one load.
-  void share_facets(size_t ends)
-  {
-    const size_t count = contacts_.size();
-    if (count - ends < 2) return;
-    std::vector<double> sums(count, 0.0);
-    for (size_t a = ends; a < count; a++)
-      for (size_t b = ends; b < count; b++)
-        if (a == b || share_a_facet(contacts_[a], contacts_[b])) sums[a] += contacts_[b].weight;
-    for (size_t a = ends; a < count; a++)
-      if (sums[a] > 1.0) contacts_[a].weight /= sums[a];
-  }
-  bool share_a_facet(const SurfaceContact &a, const SurfaceContact &b) const
-  {
-    if (a.feature != OnSurface::kEdge || b.feature != OnSurface::kEdge) return false;
-    const SurfaceEdge &one = surface_.edges()[a.index], &other = surface_.edges()[b.index];
-    if (!one.is_smooth || !other.is_smooth) return false;
-    for (const int t : one.triangles)
-      for (const int u : other.triangles)
-        if (surface_.facet(t) == surface_.facet(u)) return true;
-    return false;
   }
 };
 

@@ -47,24 +47,28 @@ struct NearFeatures {
   std::vector<int> triangles[2];     // near either end
   std::vector<NearFacet> facets[2];  // of them: group_facets()
   std::vector<int> edges, corners;
+  std::vector<int> pierced;  // facets that the axis goes through and no contact is remembered of
 };
 
 // Once the triangles are known. They may move after that, as one body.
 void group_facets(const TriangleSurface &surface, NearFeatures &near);
 
-// Of a rod whose axis goes through a triangle that no contact remembers a side of, its centre's side is
-// taken.
+// A rod is on the side of a face where it was while it touched it, or a neighbour of it, in the last step;
+// else where its end is; of a pierced facet where its centre is.
 //
 // Contacts are the places where the surface is nearest to an end, or to the axis between its ends:
 //   ends     over a face (its foot in the triangle), at an edge or a corner that stands out towards it;
-//            an end in a valley has one for each side;
+//            an end in a valley has one for each side; a face behind another has none;
 //   between  where the axis passes an edge or a corner that stands out. Over the rim of a facet that the
 //            axis leaves there, also when the rod is nearer to the facet farther in, so that a rod on a
 //            facet smaller than itself rests on its rims as on its ends: less the more it tilts (none
 //            from half the edge's turn on).
 // Weights: an end in a smooth valley shares one load among its facets, by how far its feet are from where
-// these meet; the axis over a smooth ridge shares one among the edges of a facet; and where an end comes
-// off an edge, the contact between goes over into that of the end.
+// these meet. Contacts between the ends that are nearer to each other along the axis than the rod's radius
+// share one load, all of it where they meet, none from a radius on; from an end nearer than that they have
+// what is left, so that a contact that comes to an end goes over into that of the end. So loads change
+// continuously with the rod's pose, except where an axis gets parallel to an edge, an end passes the
+// boundary of a sharp valley, or normals turn at once.
 void find_contacts(const Capsule &rod, const TriangleSurface &surface, const NearFeatures &near,
                    const std::vector<RememberedSide> &remembered,
                    std::vector<SurfaceContact> &contacts);

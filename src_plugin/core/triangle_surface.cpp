@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
 
 #include "core/box_tree.h"
+#include "core/numbers.h"
 
 namespace spherocylinder {
 
@@ -41,6 +40,11 @@ class Groups {
 
 using NodePair = std::pair<int, int>;
 NodePair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+std::int64_t pair_number(int a, int b)
+{
+  const auto [lower, higher] = ordered(a, b);
+  return (static_cast<std::int64_t>(lower) << 32) + higher;
+}
 
 double extent_of(const std::vector<TriangleShape> &shapes)
 {
@@ -88,8 +92,12 @@ TriangleSurface::TriangleSurface(std::vector<Corners> triangles, double smooth_t
   shapes_.reserve(triangles.size());
   for (const Corners &corners : triangles) shapes_.push_back(shape_of(corners));
   if (shapes_.empty()) return;
+  one_node_ = kOneNode * extent_of(shapes_);
   join_nodes();
-  find_edges(smooth_turn);
+  Sides sides = all_sides();
+  cut_free_edges(sides);
+  find_edges(sides, smooth_turn);
+  join_pieces();
 }
 
 void TriangleSurface::move_to(const std::vector<Corners> &triangles)
@@ -100,11 +108,14 @@ void TriangleSurface::move_to(const std::vector<Corners> &triangles)
 // Cells of many times the distance hold the nodes; a corner near the border of its cell looks beyond it.
 void TriangleSurface::join_nodes()
 {
-  const double nearer = kOneNode * extent_of(shapes_), cell = 64.0 * nearer;
+  const double nearer = one_node_, cell = 64.0 * nearer;
   struct Hash {
     size_t operator()(const std::array<std::int64_t, 3> &key) const
     {
-      return static_cast<size_t>(key[0] * 73856093 ^ key[1] * 19349663 ^ key[2] * 83492791);
+      const auto part = [&](int d, std::uint64_t factor) {
+        return static_cast<std::uint64_t>(key[d]) * factor;
+      };
+      return static_cast<size_t>(part(0, 73856093) ^ part(1, 19349663) ^ part(2, 83492791));
     }
   };
   std::unordered_map<std::array<std::int64_t, 3>, std::vector<int>, Hash> cells;
@@ -135,22 +146,24 @@ void TriangleSurface::join_nodes()
     }
 }
 
-void TriangleSurface::find_edges(double smooth_turn)
+TriangleSurface::Sides TriangleSurface::all_sides() const
 {
-  struct Side {
-    int triangle, edge;
-  };
-  std::map<NodePair, std::vector<Side>> sides;
+  Sides sides;
   for (int t = 0; t < count(); t++)
     for (int k = 0; k < 3; k++)
       sides[ordered(nodes_[t][k], nodes_[t][(k + 1) % 3])].push_back({t, k});
+  return sides;
+}
 
-  // A free edge that other free edges end on is cut there: a long triangle beside several short ones.
+// A free edge that other free edges end on is cut there: a long triangle beside several short ones.
+void TriangleSurface::cut_free_edges(Sides &sides)
+{
+  through_.resize(node_at_.size());
   std::vector<NodePair> free_edges;
-  for (const auto &[pair, beside] : sides)
-    if (beside.size() == 1) free_edges.push_back(pair);
   std::vector<int> free_nodes;
-  for (const NodePair &pair : free_edges) {
+  for (const auto &[pair, beside] : sides) {
+    if (beside.size() != 1) continue;
+    free_edges.push_back(pair);
     free_nodes.push_back(pair.first);
     free_nodes.push_back(pair.second);
   }
@@ -159,61 +172,64 @@ void TriangleSurface::find_edges(double smooth_turn)
   std::vector<Box> boxes;
   for (const int n : free_nodes) boxes.push_back(around(node(n), node(n)));
   const BoxTree tree(boxes);
-  const double nearer = kOneNode * extent_of(shapes_);
   for (const NodePair &pair : free_edges) {
     const Vec3 from = node(pair.first), way = node(pair.second) - from;
     std::vector<int> found;
-    tree.find(widened(around(from, from + way), nearer), found);
+    tree.find(widened(around(from, from + way), one_node_), found);
     std::vector<std::pair<double, int>> cuts;
     for (const int k : found) {
       const int n = free_nodes[k];
       if (n == pair.first || n == pair.second) continue;
       const double part = dot(node(n) - from, way) / norm_squared(way);
-      if (part > 0.0 && part < 1.0 && norm(node(n) - (from + part * way)) <= nearer)
+      if (part > 0.0 && part < 1.0 && norm(node(n) - (from + part * way)) <= one_node_)
         cuts.push_back({part, n});
     }
     if (cuts.empty()) continue;
     std::sort(cuts.begin(), cuts.end());
-    const Side side = sides[pair].front();
+    const TrianglePart side = sides[pair].front();
     sides.erase(pair);
     int last = pair.first;
     for (const auto &[part, n] : cuts) {
       sides[ordered(last, n)].push_back(side);
+      through_[n].push_back(side);
       last = n;
     }
     sides[ordered(last, pair.second)].push_back(side);
   }
+}
 
+void TriangleSurface::find_edges(const Sides &sides, double smooth_turn)
+{
   std::vector<Link> links;
   Groups facets(count()), patches(count());
   std::vector<std::vector<int>> all_around(node_at_.size());
   edges_at_.resize(node_at_.size());
+  flat_edges_.assign(shapes_.size(), {false, false, false});
   for (const auto &[pair, beside] : sides) {
     all_around[pair.first].push_back(pair.second);
     all_around[pair.second].push_back(pair.first);
-    constexpr double kHalfTurn = 3.14159265358979323846;
-    SurfaceEdge edge{{pair.first, pair.second}, {}, {}, kHalfTurn, false};
-    for (const Side &side : beside) {
-      edge.triangles.push_back(side.triangle);
-      edge.own_edges.push_back(side.edge);
-    }
+    SurfaceEdge edge{{pair.first, pair.second}, beside, pi, false, {{1.0, beside}}};
     if (beside.size() == 2) {
-      edge.turn = turn_between(shapes_[beside[0].triangle].inwards[beside[0].edge],
-                               shapes_[beside[1].triangle].inwards[beside[1].edge]);
+      const int one = beside[0].triangle, other = beside[1].triangle;
+      edge.turn = turn_between(shapes_[one].inwards[beside[0].number],
+                               shapes_[other].inwards[beside[1].number]);
       edge.is_smooth = edge.turn <= smooth_turn;
-      if (edge.turn <= kFlatTurn) facets.join(edge.triangles[0], edge.triangles[1]);
-      if (edge.turn <= kFlatTurn || edge.is_smooth) {
-        patches.join(edge.triangles[0], edge.triangles[1]);
+      const bool is_flat = edge.turn <= kFlatTurn;
+      if (is_flat) {
+        facets.join(one, other);
+        for (const TrianglePart &side : beside) flat_edges_[side.triangle][side.number] = true;
+      }
+      if (is_flat || edge.is_smooth) {
+        patches.join(one, other);
         // Two triangles of one orientation run along their common edge in opposite directions.
-        const auto way = [&](const Side &side) {
+        const auto way = [&](const TrianglePart &side) {
           const Corners &corners = shapes_[side.triangle].corners;
-          return dot(corners[(side.edge + 1) % 3] - corners[side.edge],
+          return dot(corners[(side.number + 1) % 3] - corners[side.number],
                      node(pair.second) - node(pair.first));
         };
-        const bool opposite = way(beside[0]) * way(beside[1]) < 0.0;
-        links.push_back({{edge.triangles[0], edge.triangles[1]}, opposite ? 1.0 : -1.0});
+        links.push_back({{one, other}, way(beside[0]) * way(beside[1]) < 0.0 ? 1.0 : -1.0});
       }
-      if (edge.turn <= kFlatTurn) continue;
+      if (is_flat) continue;
     }
     for (const int n : edge.nodes) edges_at_[n].push_back(static_cast<int>(edges_.size()));
     edges_.push_back(std::move(edge));
@@ -224,12 +240,77 @@ void TriangleSurface::find_edges(double smooth_turn)
     facets_[t] = facets.of(t);
     patches_[t] = patches.of(t);
   }
+  for (const SurfaceEdge &edge : edges_)
+    if (edge.is_smooth)
+      smooth_pairs_.insert(
+          pair_number(facets_[edge.beside[0].triangle], facets_[edge.beside[1].triangle]));
   orient(links);
-  around_.resize(node_at_.size());
+  around_ = std::move(all_around);
+}
+
+bool TriangleSurface::meet_smoothly(int facet, int other) const
+{
+  return smooth_pairs_.count(pair_number(facet, other)) != 0;
+}
+
+// A node with two edges that go on straight between the same facets is within one edge.
+void TriangleSurface::join_pieces()
+{
+  const auto is_within = [&](int n) {
+    if (edges_at_[n].size() != 2) return false;
+    const SurfaceEdge &one = edges_[edges_at_[n][0]], &other = edges_[edges_at_[n][1]];
+    if (one.beside.size() != other.beside.size() || one.beside.size() > 2) return false;
+    const auto facets = [&](const SurfaceEdge &edge) {
+      const int a = facets_[edge.beside.front().triangle], b = facets_[edge.beside.back().triangle];
+      return ordered(a, b);
+    };
+    if (facets(one) != facets(other)) return false;
+    const Vec3 &at = node(n);
+    const Vec3 to = node(one.nodes[one.nodes[0] == n ? 1 : 0]) - at;
+    const Vec3 from = node(other.nodes[other.nodes[0] == n ? 1 : 0]) - at;
+    return dot(to, from) < 0.0 && norm(cross(to, from)) <= kFlatTurn * norm(to) * norm(from);
+  };
+  std::vector<bool> within(node_at_.size());
+  for (size_t n = 0; n < node_at_.size(); n++) within[n] = is_within(static_cast<int>(n));
+
+  std::vector<SurfaceEdge> joined;
+  std::vector<bool> is_done(edges_.size(), false);
+  const auto begin_at = [&](int edge, int from) {
+    SurfaceEdge whole = edges_[edge];
+    whole.pieces.clear();
+    whole.nodes[0] = from;
+    const Vec3 start = node(from);
+    double length = 0.0;
+    for (int at = from; !is_done[edge];) {
+      is_done[edge] = true;
+      const SurfaceEdge &piece = edges_[edge];
+      const int next = piece.nodes[0] == at ? piece.nodes[1] : piece.nodes[0];
+      length = norm(node(next) - start);
+      std::vector<TrianglePart> beside = piece.beside;
+      if (beside.size() == 2 &&
+          facets_[beside[0].triangle] != facets_[whole.beside[0].triangle])
+        std::swap(beside[0], beside[1]);
+      whole.pieces.push_back({length, beside});
+      whole.nodes[1] = at = next;
+      if (!within[at]) break;
+      edge = edges_at_[at][0] == edge ? edges_at_[at][1] : edges_at_[at][0];
+    }
+    for (SurfaceEdge::Piece &piece : whole.pieces) piece.end /= length;
+    joined.push_back(std::move(whole));
+  };
+  for (size_t e = 0; e < edges_.size(); e++)
+    for (const int n : edges_[e].nodes)
+      if (!is_done[e] && !within[n]) begin_at(static_cast<int>(e), n);
+  edges_ = std::move(joined);
+
+  for (size_t n = 0; n < node_at_.size(); n++) edges_at_[n].clear();
+  for (size_t e = 0; e < edges_.size(); e++)
+    for (const int n : edges_[e].nodes) edges_at_[n].push_back(static_cast<int>(e));
   for (size_t n = 0; n < node_at_.size(); n++) {
-    if (edges_at_[n].empty()) continue;
-    corner_nodes_.push_back(static_cast<int>(n));
-    around_[n] = std::move(all_around[n]);
+    if (edges_at_[n].empty())
+      around_[n].clear();
+    else
+      corner_nodes_.push_back(static_cast<int>(n));
   }
 }
 

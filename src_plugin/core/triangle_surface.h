@@ -4,6 +4,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <map>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "core/capsule.h"
@@ -20,12 +24,16 @@ struct TriangleShape {
 
   // Signed, along the normal (m).
   double height(const Vec3 &point) const { return dot(point - corners[0], normal); }
-  // Whether a point's foot in the plane is in the triangle, or no farther from it than `margin` (m).
+  // Whether a point's foot in the plane is in the triangle, or no farther beyond an edge than its margin (m).
+  bool holds_foot(const Vec3 &point, const std::array<double, 3> &margins) const
+  {
+    return dot(point - corners[0], inwards[0]) >= -margins[0] &&
+           dot(point - corners[1], inwards[1]) >= -margins[1] &&
+           dot(point - corners[2], inwards[2]) >= -margins[2];
+  }
   bool holds_foot(const Vec3 &point, double margin) const
   {
-    return dot(point - corners[0], inwards[0]) >= -margin &&
-           dot(point - corners[1], inwards[1]) >= -margin &&
-           dot(point - corners[2], inwards[2]) >= -margin;
+    return holds_foot(point, {margin, margin, margin});
   }
 };
 
@@ -37,13 +45,26 @@ std::array<double, 3> barycentric(const TriangleShape &shape, const Vec3 &point)
 // some 1e-7 of their size over that of a triangle.
 constexpr double kFlatTurn = 1e-5;
 
-// Where a facet ends: between two facets, or at nothing.
+// A triangle and which of its edges, or of its corners.
+struct TrianglePart {
+  int triangle, number;
+};
+
+// Where a facet ends: between two facets, or at nothing. Straight, however many triangles lie along it.
 struct SurfaceEdge {
   int nodes[2];
-  // Beside it, one or two of a surface that is not branched; and which of its own edges it is of each.
-  std::vector<int> triangles, own_edges;
-  double turn;                 // between their normals, 0 to pi; pi at a free edge (rad)
-  bool is_smooth;              // not sharper than what the surface was told to be
+  // Beside it, one of each facet: one or two of a surface that is not branched.
+  std::vector<TrianglePart> beside;
+  double turn;     // between their normals, 0 to pi; pi at a free edge (rad)
+  bool is_smooth;  // not sharper than what the surface was told to be
+
+  // Its pieces from nodes[0] to nodes[1]: where each ends, over the whole length, and what is beside it, in
+  // the order of `beside`.
+  struct Piece {
+    double end;
+    std::vector<TrianglePart> beside;
+  };
+  std::vector<Piece> pieces;
 };
 
 class TriangleSurface {
@@ -67,6 +88,13 @@ class TriangleSurface {
   const std::vector<SurfaceEdge> &edges() const { return edges_; }
   Segment segment(int edge) const;
 
+  // Whether edge k of a triangle goes on within its facet, all along or in part.
+  const std::array<bool, 3> &flat_edges(int triangle) const { return flat_edges_[triangle]; }
+  // Whether two facets meet at a smooth edge.
+  bool meet_smoothly(int facet, int other) const;
+  // Corners nearer than this are one (m).
+  double one_node() const { return one_node_; }
+
   // Nodes at the ends of such edges: `corner_nodes`; others only within facets.
   const std::vector<int> &corner_nodes() const { return corner_nodes_; }
   const Vec3 &node(int node) const { return shapes_[node_at_[node][0]].corners[node_at_[node][1]]; }
@@ -74,6 +102,8 @@ class TriangleSurface {
   int triangle_at(int node) const { return node_at_[node][0]; }
   int own_corner_at(int node) const { return node_at_[node][1]; }  // of that triangle
   const std::vector<int> &edges_at(int node) const { return edges_at_[node]; }
+  // Triangles that have the node within an edge.
+  const std::vector<TrianglePart> &triangles_through(int node) const { return through_[node]; }
 
   // Whether two triangles share a node.
   bool are_neighbours(int a, int b) const;
@@ -87,9 +117,18 @@ class TriangleSurface {
   std::vector<SurfaceEdge> edges_;
   std::vector<int> corner_nodes_;
   std::vector<std::vector<int>> around_, edges_at_;  // of corner nodes, else empty
+  std::vector<std::vector<TrianglePart>> through_;
+  std::vector<std::array<bool, 3>> flat_edges_;
+  std::unordered_set<std::int64_t> smooth_pairs_;  // of facets
+  double one_node_ = 0.0;
 
+  // Each piece of an edge, by its nodes, and what is beside it.
+  using Sides = std::map<std::pair<int, int>, std::vector<TrianglePart>>;
   void join_nodes();
-  void find_edges(double smooth_turn);
+  Sides all_sides() const;
+  void cut_free_edges(Sides &sides);
+  void find_edges(const Sides &sides, double smooth_turn);
+  void join_pieces();
   struct Link {
     int triangles[2];
     double orientation;  // 1 if both have their normal on the same side

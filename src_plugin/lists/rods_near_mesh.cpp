@@ -26,9 +26,9 @@ AtomVecSpherocylinder &style_of(const Atom &atom)
 // does not stand out towards the rod, and cannot before an end has gone through a face.
 bool is_in_valley(const TriangleSurface &surface, const SurfaceEdge &edge, const Segment &axis)
 {
-  if (edge.triangles.size() != 2) return false;
-  const TriangleShape &one = surface.shape(edge.triangles[0]);
-  const TriangleShape &other = surface.shape(edge.triangles[1]);
+  if (edge.beside.size() != 2) return false;
+  const TriangleShape &one = surface.shape(edge.beside[0].triangle);
+  const TriangleShape &other = surface.shape(edge.beside[1].triangle);
   const Vec3 ends[2] = {axis.at(-axis.half_length), axis.at(axis.half_length)};
   const Vec3 middle = (1.0 / 3.0) * (other.corners[0] + other.corners[1] + other.corners[2]);
   const double of_other = one.height(middle);  // above the first face where that looks up at it
@@ -69,6 +69,7 @@ bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit)
     near_[count_++].rod = i;
   }
   known_ = true;
+  is_first_ = false;
   return true;
 }
 
@@ -89,6 +90,15 @@ bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeature
     }
   }
   group_facets(surface, features);
+
+  features.pierced.clear();
+  if (is_first_) {
+    found_.clear();
+    mesh.triangle_boxes().find(around(ends[0], ends[1]), found_);
+    for (const int triangle : found_)
+      if (goes_through(axis, surface.shape(triangle)))
+        features.pierced.push_back(surface.facet(triangle));
+  }
 
   const Box box = widened(around(ends[0], ends[1]), reach);
   features.edges.clear();

@@ -23,6 +23,12 @@ class RodsNearMesh : protected Pointers {
 
   // LIGGGHTS's lists are new ones, or are about to be.
   void forget() { known_ = false; }
+  // The next list looks for rods that lie through faces.
+  void begin_run()
+  {
+    known_ = false;
+    is_first_ = true;
+  }
 
   // Once a step, with the mesh where it is now. True if the list is new.
   bool renew(MeshSurface &mesh, int groupbit);
@@ -32,7 +38,7 @@ class RodsNearMesh : protected Pointers {
   const Near *end() const { return near_.data() + count_; }
 
  private:
-  bool known_ = false;
+  bool known_ = false, is_first_ = true;
   double skin_ = 0.0;     // m
   double longest_ = 0.0;  // half an axis (m)
   int version_ = 0;       // of the rods' poses that the list was made at

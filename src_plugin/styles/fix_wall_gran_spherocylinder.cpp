@@ -94,7 +94,7 @@ void FixWallGranSpherocylinder::init()
     check_no_image_is_missed();
   }
   near_rods_.forget();
-  for (WallMesh &mesh : meshes_) mesh.rods.forget();
+  for (WallMesh &mesh : meshes_) mesh.rods.begin_run();
   meshes_may_be_others_ = true;
 }
 
