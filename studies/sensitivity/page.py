@@ -10,7 +10,7 @@ from studies.common.statistics import limit_of_line, mean_and_error
 from studies.packing.measures import HALF_CONTACTS, STUDY_FRICTION
 from studies.packing.page import words
 from studies.sensitivity import variations
-from studies.sensitivity.figures import level_name
+from studies.sensitivity.figures import NUMBERS, level_name
 
 LINE = "vessel"    # the factor whose V_f is followed to a vessel without end
 
@@ -98,7 +98,8 @@ def bulk(beds: pandas.DataFrame) -> list[list[str]]:
     return lines
 
 
-def values(beds: pandas.DataFrame, effects: pandas.DataFrame, bound: float, mode: str) -> dict:
+def values(beds: pandas.DataFrame, effects: pandas.DataFrame, bound: float, mode: str,
+           factors: list[str]) -> dict:
     wide = together(effects)
     differs = wide["vf_inner.differs"] == 1
     ordered = wide.reindex(wide["vf_inner.difference"].abs().sort_values(ascending=False).index)
@@ -112,6 +113,9 @@ def values(beds: pandas.DataFrame, effects: pandas.DataFrame, bound: float, mode
         "each": f"{base.groupby('lambda').size().min():.0f}",
         "friction": STUDY_FRICTION, "asked": len(wide), "differ": int(differs.sum()),
         "by_chance": 0.05 * len(wide),
+        "numbers": any(factor in set(beds["factor"]) for factor, *_ in NUMBERS),
+        "not_there": words(factor.replace("_", " ") for factor in factors
+                           if factor not in set(beds["factor"])),
         "up": effect_lines(up), "down": effect_lines(down),
         "open": effect_lines(ordered[(ordered["vf_inner.differs"] == 0)]),
         "alike": words(alike), "by_aspect": by_aspect(effects),
