@@ -146,24 +146,34 @@ void MeshGatherer::warn_of_pierced(const NearFeatures &features)
               update->ntimestep);
 }
 
-// As coupling_of_ends: what the contact feels of the push of another place of the rod, the one it shares
-// most with.
-double MeshGatherer::coupling(size_t k, const InverseInertia &inverse) const
+// Meshes of a wall may be of different types.
+int64_t MeshGatherer::kind_of(int type) const
+{
+  return type + static_cast<int64_t>(atom->ntypes + 1) * wall_type_;
+}
+
+// Of the effective mass at the contact what damping goes by: as coupling_of_ends has it, but for contacts of
+// any number that have a part of a load. A push w f at each makes the contact's point give way by
+// w K11 + sum of w' K1' over the others that act as one with it.
+double MeshGatherer::mass_share(size_t k, const InverseInertia &inverse) const
 {
   const SurfaceContact &one = found_[k];
-  double largest_share = 0.0, coupled = 0.0;
-  for (const SurfaceContact &other : found_) {
-    if (other.along == one.along) continue;
-    const double a = capsule_.radius - one.distance, b = capsule_.radius - other.distance;
-    if (!(a > 0.0) || !(b > 0.0)) continue;
-    const double share = std::min(a, b) / std::max(a, b) * other.weight *
-                         std::max(0.0, dot(one.normal, other.normal));
-    if (share <= largest_share) continue;
-    largest_share = share;
-    coupled = share * mass_coupling(inverse, one.along * capsule_.segment.axis, one.normal,
-                                    other.along * capsule_.segment.axis, other.normal);
+  if (found_.size() == 1 && one.weight == 1.0) return 1.0;
+  const Vec3 arm = one.along * capsule_.segment.axis;
+  const double alone = inverse_effective_mass(inverse, arm, one.normal);
+  double sum = one.weight * alone;
+  for (size_t other = 0; turning_ > 0.0 && other < found_.size(); other++) {
+    const SurfaceContact &b = found_[other];
+    const double overlap = capsule_.radius - one.distance, of_other = capsule_.radius - b.distance;
+    if (other == k || !(overlap > 0.0) || !(of_other > 0.0)) continue;
+    const double share = std::min(overlap, of_other) / std::max(overlap, of_other) * b.weight *
+                         std::max(0.0, dot(one.normal, b.normal));
+    sum += share * mass_coupling(inverse, arm, one.normal, b.along * capsule_.segment.axis,
+                                 b.normal);
   }
-  return turning_ * coupled;
+  // Two contacts leave half of it at least; more could leave nothing.
+  constexpr double kLeast = 0.25;
+  return alone / std::max(sum, kLeast * one.weight * alone);
 }
 
 int MeshGatherer::add(ContactBatch &batch, int first)
@@ -183,7 +193,7 @@ int MeshGatherer::add(ContactBatch &batch, int first)
     batch.j[k] = -1;
     batch.type_i[k] = atom->type[i];
     batch.type_j[k] = wall_type_;
-    batch.kind[k] = types_are_kinds_ ? atom->type[i] : RodKinds::kNone;
+    batch.kind[k] = types_are_kinds_ ? kind_of(atom->type[i]) : RodKinds::kNone;
     batch.end[k] = contact.triangle;
     batch.flags[k] = nullptr;
     std::vector<double> &values = kept[first_kept + n].values;
@@ -200,12 +210,7 @@ int MeshGatherer::add(ContactBatch &batch, int first)
     arms.normal.set(k, contact.normal);
     arms.distance[k] = contact.distance;
     arms.overlap[k] = capsule_.radius - contact.distance;
-    arms.mass_share[k] = 1.0;
-    const double coupled = coupling(n, inverse);
-    if (coupled != 0.0) {
-      const double alone = inverse_effective_mass(inverse, arm, contact.normal);
-      arms.mass_share[k] = alone / (alone + coupled);
-    }
+    arms.mass_share[k] = mass_share(n, inverse);
     arms.side.set(k, kZero);
   }
   return end;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "contacts/contact_batch.h"
@@ -58,7 +59,8 @@ class MeshGatherer : protected Pointers {
   void match();
   int agreement(const spherocylinder::SurfaceContact &now, size_t before) const;
   void warn_of_pierced(const spherocylinder::NearFeatures &features);
-  double coupling(size_t k, const spherocylinder::InverseInertia &inverse) const;
+  int64_t kind_of(int type) const;
+  double mass_share(size_t k, const spherocylinder::InverseInertia &inverse) const;
 };
 
 }  // namespace LAMMPS_NS

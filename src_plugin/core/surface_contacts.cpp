@@ -31,6 +31,11 @@ struct Rectangle {
   double along(const Vec3 &point) const { return dot(point - origin, along_edge); }
 };
 
+// An end at an edge or corner has a contact of its own where the axis is nearest there. Where the axis comes
+// nearer farther in, as it does at the contact between the ends, the end's fades out with the sine of the
+// angle at which it does: a rod that lies along a ridge has both ends on it in spite of small tilts.
+constexpr double kComesNearer = 0.01;
+
 class Finder {
  public:
   Finder(const Capsule &rod, const TriangleSurface &surface, const NearFeatures &near,
@@ -106,8 +111,15 @@ class Finder {
   {
     const double distance = norm(way);
     if (distance == 0.0) return;
+    double weight = 1.0;
+    if (place != OnRod::kBetween && !passed) {
+      const double outwards = dot(way, axis_.axis) * (along < 0.0 ? -1.0 : 1.0) / distance;
+      weight = std::min(1.0, 1.0 - outwards / kComesNearer);
+      if (axis_.half_length == 0.0) weight = 1.0;
+    }
     const double sign = passed ? -1.0 : 1.0;
-    add(place, bearer, along, (sign / distance) * way, sign * distance);
+    if (weight > 0.0)
+      add(place, bearer, along, (sign / distance) * way, sign * distance, weight);
   }
 
   // Whether the rod's point has gone through the edge or corner that it touched in the last step.
@@ -399,6 +411,8 @@ class Finder {
     return (1.0 - apart / rod_.radius) * std::max(0.0, dot(a.normal, b.normal));
   }
 
+  // Of contacts of one kind, nearest or over a rim, each has its part; those over rims have what the nearest
+  // leave.
   void share_between(size_t ends)
   {
     const size_t count = contacts_.size();
@@ -406,13 +420,20 @@ class Finder {
     for (size_t k = ends; k < count; k++) {
       const SurfaceContact &contact = contacts_[k];
       if (!(contact.weight > 0.0)) continue;
-      double all = contact.weight;
-      for (size_t other = ends; other < count; other++)
-        if (other != k) all += contacts_[other].weight * nearness(contact, contacts_[other]);
-      shares[k] = contact.weight / std::max(1.0, all) * left_by_ends(contact, ends);
+      double all = contact.weight, left = 1.0;
+      for (size_t other = ends; other < count; other++) {
+        if (other == k) continue;
+        const double near = contacts_[other].weight * nearness(contact, contacts_[other]);
+        if (is_nearest(other) == is_nearest(k))
+          all += near;
+        else if (is_nearest(other))
+          left = std::min(left, 1.0 - near);
+      }
+      shares[k] = left * contact.weight / std::max(1.0, all) * left_by_ends(contact, ends);
     }
     for (size_t k = ends; k < count; k++) contacts_[k].weight = shares[k];
   }
+  bool is_nearest(size_t k) const { return contacts_[k].weight == 1.0; }
 
   // Of the load of a contact between the ends: what those of the ends do not bear already.
   double left_by_ends(const SurfaceContact &contact, size_t ends) const
@@ -425,7 +446,7 @@ class Finder {
       if (!(end.weight > 0.0)) continue;
       const double of_end = rod_.radius - end.distance;
       left *= 1.0 - std::min(1.0, of_end / overlap) * end.weight * nearness(contact, end);
-      if (are_at_one_edge(contact, end)) at_edge += of_end / overlap;
+      if (are_at_one_edge(contact, end)) at_edge += end.weight * of_end / overlap;
     }
     return std::min(left, std::max(0.0, 1.0 - at_edge));
   }

@@ -65,8 +65,9 @@ void group_facets(const TriangleSurface &surface, NearFeatures &near);
 //            from half the edge's turn on).
 // Weights: an end in a smooth valley shares one load among its facets, by how far its feet are from where
 // these meet. Contacts between the ends that are nearer to each other along the axis than the rod's radius
-// share one load, all of it where they meet, none from a radius on; from an end nearer than that they have
-// what is left, so that a contact that comes to an end goes over into that of the end. So loads change
+// share one load, all of it where they meet, none from a radius on; over a rim near a place where the surface
+// is nearest, and near an end, they have what is left, so that a contact that comes to an end goes over
+// into that of the end. So loads change
 // continuously with the rod's pose, except where an axis gets parallel to an edge, an end passes the
 // boundary of a sharp valley, or normals turn at once.
 void find_contacts(const Capsule &rod, const TriangleSurface &surface, const NearFeatures &near,

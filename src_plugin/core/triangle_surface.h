@@ -79,7 +79,8 @@ class TriangleSurface {
 
   int count() const { return static_cast<int>(shapes_.size()); }
   const TriangleShape &shape(int triangle) const { return shapes_[triangle]; }
-  int facet(int triangle) const { return facets_[triangle]; }  // a number for each
+  // Each has the number of one of its triangles.
+  int facet(int triangle) const { return facets_[triangle]; }
   int patch(int triangle) const { return patches_[triangle]; }
   // 1 or -1: times the normal, the same side of the whole patch (unless it has but one).
   double orientation(int triangle) const { return orientations_[triangle]; }

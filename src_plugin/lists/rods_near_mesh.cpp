@@ -41,7 +41,7 @@ bool is_in_valley(const TriangleSurface &surface, const SurfaceEdge &edge, const
 
 }  // namespace
 
-bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit)
+bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit, const Touched &touched)
 {
   RodShifts &shifts = style_of(*atom).attached<RodShifts>();
   if (known_ && version_ == shifts.version() && mesh_version_ == mesh.version()) {
@@ -65,6 +65,8 @@ bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit)
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     if (near_.size() == count_) near_.emplace_back();
+    touched_.clear();
+    touched(i, touched_);
     if (!find(mesh, style_of(*atom).capsule(i), near_[count_].features)) continue;
     near_[count_++].rod = i;
   }
@@ -73,14 +75,47 @@ bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit)
   return true;
 }
 
+void RodsNearMesh::find_pierced(const MeshSurface &mesh, const Segment &axis,
+                                std::vector<int> &pierced)
+{
+  pierced.clear();
+  if (!is_first_ || !touched_.empty()) return;
+  found_.clear();
+  mesh.triangle_boxes().find(
+      around(axis.at(-axis.half_length), axis.at(axis.half_length)), found_);
+  for (const int triangle : found_)
+    if (goes_through(axis, mesh.surface().shape(triangle)))
+      pierced.push_back(mesh.surface().facet(triangle));
+}
+
+// Of facets that the end is through by more than the reach: a rare case, for which all are looked at.
+void RodsNearMesh::add_deep(const TriangleSurface &surface, const Vec3 &end, double reach,
+                            const std::vector<int> &pierced, std::vector<int> &triangles) const
+{
+  std::vector<int> deep;
+  const auto note = [&](int triangle) {
+    if (std::fabs(surface.shape(triangle).height(end)) > reach)
+      deep.push_back(surface.facet(triangle));
+  };
+  for (const int triangle : touched_) note(triangle);
+  for (const int facet : pierced) note(facet);  // which has the number of one of its triangles
+  if (deep.empty()) return;
+  for (int triangle = 0; triangle < surface.count(); triangle++)
+    if (std::find(deep.begin(), deep.end(), surface.facet(triangle)) != deep.end() &&
+        surface.shape(triangle).holds_foot(end, reach))
+      triangles.push_back(triangle);
+}
+
 bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeatures &features)
 {
   const Segment &axis = rod.segment;
   const TriangleSurface &surface = mesh.surface();
   const double reach = rod.radius + skin_;
   const Vec3 ends[2] = {axis.at(-axis.half_length), axis.at(axis.half_length)};
+  find_pierced(mesh, axis, features.pierced);
   for (int k = 0; k < 2; k++) {
     features.triangles[k].clear();
+    add_deep(surface, ends[k], reach, features.pierced, features.triangles[k]);
     found_.clear();
     mesh.triangle_boxes().find(widened(around(ends[k], ends[k]), reach), found_);
     for (const int triangle : found_) {
@@ -90,15 +125,6 @@ bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeature
     }
   }
   group_facets(surface, features);
-
-  features.pierced.clear();
-  if (is_first_) {
-    found_.clear();
-    mesh.triangle_boxes().find(around(ends[0], ends[1]), found_);
-    for (const int triangle : found_)
-      if (goes_through(axis, surface.shape(triangle)))
-        features.pierced.push_back(surface.facet(triangle));
-  }
 
   const Box box = widened(around(ends[0], ends[1]), reach);
   features.edges.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/surface_contacts.h"
@@ -30,8 +31,11 @@ class RodsNearMesh : protected Pointers {
     is_first_ = true;
   }
 
+  // Triangles that a rod touched in the last step: those of their facets stay near however deep it is.
+  using Touched = std::function<void(int rod, std::vector<int> &triangles)>;
+
   // Once a step, with the mesh where it is now. True if the list is new.
-  bool renew(MeshSurface &mesh, int groupbit);
+  bool renew(MeshSurface &mesh, int groupbit, const Touched &touched);
 
   // Owned rods of the group, in their order.
   const Near *begin() const { return near_.data(); }
@@ -45,8 +49,12 @@ class RodsNearMesh : protected Pointers {
   int mesh_version_ = 0;
   std::vector<Near> near_;  // the first count_; the rest keep their memory
   size_t count_ = 0;
-  std::vector<int> found_;
+  std::vector<int> found_, touched_;
 
+  void find_pierced(const MeshSurface &mesh, const spherocylinder::Segment &axis,
+                    std::vector<int> &pierced);
+  void add_deep(const spherocylinder::TriangleSurface &surface, const spherocylinder::Vec3 &end,
+                double reach, const std::vector<int> &pierced, std::vector<int> &triangles) const;
   // Fills in what is near; false if nothing is.
   bool find(const MeshSurface &mesh, const spherocylinder::Capsule &rod,
             spherocylinder::NearFeatures &features);

@@ -22,6 +22,7 @@
 
 using namespace LAMMPS_NS;
 
+using spherocylinder::load;
 using spherocylinder::Vec3;
 
 namespace {
@@ -206,18 +207,18 @@ MovingWall FixWallGranSpherocylinder::moving_wall() const
   MovingWall wall{surface_of(*primitiveWall_), kZero, kZero, kZero};
   const WallSurface &surface = wall.surface;
   if (shear_ && surface.is_cylinder && shearAxis_ >= 0) {
-    wall.turning = spherocylinder::load(shearAxisVec_);
+    wall.turning = load(shearAxisVec_);
   } else if (shear_) {
     double sliding[3] = {0.0, 0.0, 0.0};
     sliding[shearDim_] = vshear_;
-    wall.sliding = spherocylinder::load(sliding);
+    wall.sliding = load(sliding);
   }
   if (arguments_.turns) {
     double centre[3] = {0.0, 0.0, 0.0};
     const int axis = axis_of(surface);
     centre[(axis + 1) % 3] = arguments_.centre[0];
     centre[(axis + 2) % 3] = arguments_.centre[1];
-    wall.centre = spherocylinder::load(centre);
+    wall.centre = load(centre);
     wall.turning = arguments_.turning * surface.direction;
   }
   wall.sliding = wall.sliding + speed_ * surface.direction;
@@ -270,7 +271,7 @@ void FixWallGranSpherocylinder::forget_contacts_of_far_rods(double **history)
 {
   for (const int i : near_rods_.far()) {
     const bool beyond =
-        wall_.surface.gap_of_sphere(spherocylinder::load(atom->x[i]), atom->radius[i]) > 0.0;
+        wall_.surface.gap_of_sphere(load(atom->x[i]), atom->radius[i]) > 0.0;
     if (beyond)
       std::fill_n(history[i], dnum(), 0.0);
     else
@@ -374,12 +375,19 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
   meshes_may_be_others_ = false;
   check_meshes_are_slow();
   for (size_t m = 0; m < meshes_.size(); m++) {
-    auto &[mesh, rods] = meshes_[m];
+    MeshSurface &mesh = meshes_[m].surface;
+    RodsNearMesh &rods = meshes_[m].rods;
     atom_type_wall_ = mesh.fix().atomTypeWall();
     if (store_force_contact()) fix_wallforce_contact_ = mesh.fix().meshforceContact();
     if (store_force_contact_stress())
       fix_wallforce_contact_stress_ = mesh.fix().meshforceContactStress();
-    const bool is_new = rods.renew(mesh, groupbit);
+    const bool is_new = rods.renew(mesh, groupbit, [&, m](int rod, std::vector<int> &triangles) {
+      for (const MeshHistories::Contact &contact : mesh_histories_.of(rod)) {
+        if (contact.mesh != static_cast<int>(m)) continue;
+        const int triangle = mesh.triangle_of(contact.triangle_id, load(atom->x[rod]));
+        if (triangle >= 0) triangles.push_back(triangle);
+      }
+    });
     if (auto *list = list_of(mesh); list && list->wants_count()) {
       int mine = static_cast<int>(rods.end() - rods.begin()), all = 0;
       MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
