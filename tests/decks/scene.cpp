@@ -164,6 +164,7 @@ std::vector<Frame> run(const Scene &scene, Mode mode, Program program)
   const DeckFolder folder;
   const Launch launch{program, ranks(mode), scene.time_limit};
   folder.write("rods.data", data_file(scene));
+  for (const auto &[name, text] : scene.files) folder.write(name, text);
   const std::string start = preamble(scene, mode);
   if (mode != Mode::Restarted) {
     folder.write("in.scene",

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct Scene {
   double box_hi[3] = {1.0, 1.0, 1.0};
   double skin = 0.02;
   std::string physics;  // commands after the rods are read: materials, pair, walls, fixes
+  std::map<std::string, std::string> files;  // beside the deck, which name them: name, text
   double dt = 1e-6;
   long steps = 0;
   long dump_every = 0;  // 0: the first and the last step only
