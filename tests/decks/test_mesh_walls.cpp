@@ -381,3 +381,25 @@ TEST(MeshImpacts, KeepTheRestitutionAtTheContact)
                   "J = (1+e) v/(1/m + |a x n|^2/I_t)", 2e-3},
                  error);
 }
+
+// A rod that lies in the plane of a sheet's corner and crosses it there touches both rims and the corner at
+// one place: its restitution is that of one contact, a hair inside as outside.
+TEST(MeshImpacts, AreOfOneContactWhereTwoRimsMeet)
+{
+  const double e = 0.7, s = 0.06;
+  const std::string models = "linear tangential off";
+  for (const double inside : {-1e-6, -1e-12, 0.0, 1e-12, 1e-9, 1e-7, 1e-5}) {
+    Scene scene;
+    Impact one = impact("corner", {}, {-inside, inside, 0.0}, 0.0, 45.0, 0.4, {0.0, 0.0, 1.0});
+    // One that only just misses the corner is there too.
+    scene.rods = {one.rod};
+    scene.files["sheet.stl"] = stl(tiled({{-s, 0.0, 0.0}, {s, 0.0, 0.0}, {0.0, s, 0.0}}, 2, 2));
+    scene.physics = linear_material(kStiffness, kStiffness, e, 0.0) + rod_pair(models) +
+                    mesh_fix("m", "sheet.stl") + mesh_wall("wall", models, {"m"}) +
+                    "fix motion all nve/spherocylinder\n";
+    scene.dt = 1e-6;
+    scene.steps = 9000;
+    const double got = one.speed_of_point(run(scene).back().rods[0]) / kApproach;
+    EXPECT_NEAR(got, e, 2e-3) << inside;
+  }
+}
