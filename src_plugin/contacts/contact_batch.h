@@ -23,8 +23,8 @@ struct ContactBatch {
   // One number for all that does not move of both, > 0, or RodKinds::kNone. What a law has once worked
   // out for a place in the batch holds while its number stays.
   int64_t kind[spherocylinder::kBatch]{};
-  int end[spherocylinder::kBatch]{};          // at a wall: 0 at -u, 1 at +u; at a mesh: the triangle
-  int *flags[spherocylinder::kBatch]{};       // of LIGGGHTS's contact, null without
+  int end[spherocylinder::kBatch]{};     // at a wall: 0 at -u, 1 at +u; at a mesh: the triangle
+  int *flags[spherocylinder::kBatch]{};  // of LIGGGHTS's contact, null without
   double *history[spherocylinder::kBatch]{};  // the models' values, null without
 
   // Of a mesh: the share of its load that a contact has, see spherocylinder::SurfaceContact.

@@ -52,14 +52,13 @@ void MeshGatherer::take_before()
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
   }
   for (const MeshHistories::Contact &contact : before_) {
-    triangles_before_.push_back(contact.topology == mesh_->topology()
-                                    ? contact.triangle
-                                    : mesh_->triangle_of(contact.triangle_id,
-                                                         capsule_.segment.at(contact.along)));
+    triangles_before_.push_back(
+        contact.topology == mesh_->topology()
+            ? contact.triangle
+            : mesh_->triangle_of(contact.triangle_id, capsule_.segment.at(contact.along)));
     if (triangles_before_.back() >= 0)
-      remembered_.push_back(
-          {static_cast<OnRod>(contact.place), triangles_before_.back(), contact.part,
-           contact.normal});
+      remembered_.push_back({static_cast<OnRod>(contact.place), triangles_before_.back(),
+                             contact.part, contact.normal});
   }
 }
 
@@ -168,8 +167,8 @@ double MeshGatherer::mass_share(size_t k, const InverseInertia &inverse) const
     if (other == k || !(overlap > 0.0) || !(of_other > 0.0)) continue;
     const double share = std::min(overlap, of_other) / std::max(overlap, of_other) * b.weight *
                          std::max(0.0, dot(one.normal, b.normal));
-    sum += share * mass_coupling(inverse, arm, one.normal, b.along * capsule_.segment.axis,
-                                 b.normal);
+    sum +=
+        share * mass_coupling(inverse, arm, one.normal, b.along * capsule_.segment.axis, b.normal);
   }
   // Two contacts leave half of it at least; more could leave nothing.
   constexpr double kLeast = 0.25;
@@ -201,8 +200,7 @@ int MeshGatherer::add(ContactBatch &batch, int first)
     batch.weight[k] = contact.weight;
     arms.arm_i.set(k, arm);
     arms.velocity_i.set(k, load(atom->v[i]));
-    arms.velocity_j.set(
-        k, mesh_->velocity(contact.triangle, contact.on_surface(capsule_.segment)));
+    arms.velocity_j.set(k, mesh_->velocity(contact.triangle, contact.on_surface(capsule_.segment)));
     arms.omega_i.set(k, load(atom->omega[i]));
     arms.inverse_mass_i[k] = inverse.mass;
     arms.inverse_inertia_i[k] = inverse.transverse;

@@ -20,7 +20,11 @@ using namespace spherocylinder;
 
 GranularWallSpherocylinder::GranularWallSpherocylinder(LAMMPS *lmp, FixWallGran *parent,
                                                        std::unique_ptr<StockLaw> models)
-    : Pointers(lmp), parent_(parent), laws_(lmp, std::move(models)), gatherer_(lmp), mesh_gatherer_(lmp)
+    : Pointers(lmp),
+      parent_(parent),
+      laws_(lmp, std::move(models)),
+      gatherer_(lmp),
+      mesh_gatherer_(lmp)
 {
   batch_.is_wall = true;
 }

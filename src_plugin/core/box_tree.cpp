@@ -61,9 +61,8 @@ void BoxTree::build(const std::vector<Box> &boxes, int first, int count)
 
   const int axis = longest_side(all), half = count / 2;
   const auto begin = order_.begin() + first;
-  std::nth_element(begin, begin + half, begin + count, [&](int a, int b) {
-    return middle(boxes[a], axis) < middle(boxes[b], axis);
-  });
+  std::nth_element(begin, begin + half, begin + count,
+                   [&](int a, int b) { return middle(boxes[a], axis) < middle(boxes[b], axis); });
   build(boxes, first, half);
   nodes_[place].first = static_cast<int>(nodes_.size());
   nodes_[place].count = 0;
@@ -80,8 +79,7 @@ void BoxTree::move_to(const std::vector<Box> &boxes)
       continue;
     }
     node.box = boxes[order_[node.first]];
-    for (int k = 1; k < node.count; k++)
-      node.box = united(node.box, boxes[order_[node.first + k]]);
+    for (int k = 1; k < node.count; k++) node.box = united(node.box, boxes[order_[node.first + k]]);
   }
 }
 

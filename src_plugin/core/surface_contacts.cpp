@@ -86,8 +86,7 @@ class Finder {
   static Bearer face(int triangle) { return {OnSurface::kFace, triangle, triangle, 0}; }
   Bearer corner(int node) const
   {
-    return {OnSurface::kCorner, node, surface_.triangle_at(node),
-            4 + surface_.own_corner_at(node)};
+    return {OnSurface::kCorner, node, surface_.triangle_at(node), 4 + surface_.own_corner_at(node)};
   }
   // `place`: over the edge's length; `nth`: of the facets beside it.
   Bearer edge(int index, double place, int nth = 0) const
@@ -118,16 +117,14 @@ class Finder {
       if (axis_.half_length == 0.0) weight = 1.0;
     }
     const double sign = passed ? -1.0 : 1.0;
-    if (weight > 0.0)
-      add(place, bearer, along, (sign / distance) * way, sign * distance, weight);
+    if (weight > 0.0) add(place, bearer, along, (sign / distance) * way, sign * distance, weight);
   }
 
   // Whether the rod's point has gone through the edge or corner that it touched in the last step.
   bool has_passed(OnRod place, const Bearer &bearer, const Vec3 &way) const
   {
     for (const RememberedSide &memory : remembered_)
-      if (memory.place == place && memory.triangle == bearer.triangle &&
-          memory.part == bearer.part)
+      if (memory.place == place && memory.triangle == bearer.triangle && memory.part == bearer.part)
         return dot(memory.normal, way) < 0.0;
     return false;
   }
@@ -267,8 +264,8 @@ class Finder {
         const Vec3 between = one.on_surface(axis_) - other.on_surface(axis_);
         if (norm(between) > 4.0 * seam_ || std::fabs(one.along - other.along) > 4.0 * seam_)
           continue;
-        const bool other_stays = other.weight != one.weight ? other.weight > one.weight
-                                                            : other.distance < one.distance;
+        const bool other_stays =
+            other.weight != one.weight ? other.weight > one.weight : other.distance < one.distance;
         (other_stays ? one : other).weight = 0.0;
       }
   }
@@ -288,8 +285,7 @@ class Finder {
         const TriangleShape &shape = surface_.shape(front.triangle);
         const double height = dot(to - shape.corners[0], front.normal);
         if (height > -4.0 * seam_) continue;
-        const Vec3 crossing =
-            from + (front.distance / (front.distance - height)) * (to - from);
+        const Vec3 crossing = from + (front.distance / (front.distance - height)) * (to - from);
         if (shape.holds_foot(crossing, rod_.radius)) behind.weight = 0.0;
       }
   }

@@ -14,11 +14,11 @@ enum class OnSurface { kFace, kEdge, kCorner };
 struct SurfaceContact {
   OnRod place;
   OnSurface feature;
-  int index;     // of the triangle, of the edge in edges(), of the node
-  int triangle;  // that bears it
-  int part;      // of the triangle: 0 its face, 1 to 3 an edge, 4 to 6 a corner
-  double along;  // of the point on the rod's axis, from its centre (m)
-  Vec3 normal;   // unit, from the surface to the rod's side of it
+  int index;        // of the triangle, of the edge in edges(), of the node
+  int triangle;     // that bears it
+  int part;         // of the triangle: 0 its face, 1 to 3 an edge, 4 to 6 a corner
+  double along;     // of the point on the rod's axis, from its centre (m)
+  Vec3 normal;      // unit, from the surface to the rod's side of it
   double distance;  // of that point along it, negative once it is through (m)
   double weight;    // of its load, 0 to 1
 

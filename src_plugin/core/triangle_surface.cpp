@@ -81,8 +81,8 @@ std::array<double, 3> barycentric(const TriangleShape &shape, const Vec3 &point)
   for (int k = 0; k < 3; k++) {  // the edge opposite of corner k
     const int edge = (k + 1) % 3;
     const Vec3 &from = shape.corners[edge];
-    weights[k] = dot(point - from, shape.inwards[edge]) /
-                 dot(shape.corners[k] - from, shape.inwards[edge]);
+    weights[k] =
+        dot(point - from, shape.inwards[edge]) / dot(shape.corners[k] - from, shape.inwards[edge]);
   }
   return weights;
 }
@@ -287,8 +287,7 @@ void TriangleSurface::join_pieces()
       const int next = piece.nodes[0] == at ? piece.nodes[1] : piece.nodes[0];
       length = norm(node(next) - start);
       std::vector<TrianglePart> beside = piece.beside;
-      if (beside.size() == 2 &&
-          facets_[beside[0].triangle] != facets_[whole.beside[0].triangle])
+      if (beside.size() == 2 && facets_[beside[0].triangle] != facets_[whole.beside[0].triangle])
         std::swap(beside[0], beside[1]);
       whole.pieces.push_back({length, beside});
       whole.nodes[1] = at = next;

@@ -111,7 +111,7 @@ class TriangleSurface {
 
  private:
   std::vector<TriangleShape> shapes_;
-  std::vector<std::array<int, 3>> nodes_;  // of each triangle
+  std::vector<std::array<int, 3>> nodes_;    // of each triangle
   std::vector<std::array<int, 2>> node_at_;  // a triangle and its corner
   std::vector<int> facets_, patches_;
   std::vector<double> orientations_;

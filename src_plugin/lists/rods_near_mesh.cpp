@@ -81,8 +81,7 @@ void RodsNearMesh::find_pierced(const MeshSurface &mesh, const Segment &axis,
   pierced.clear();
   if (!is_first_ || !touched_.empty()) return;
   found_.clear();
-  mesh.triangle_boxes().find(
-      around(axis.at(-axis.half_length), axis.at(axis.half_length)), found_);
+  mesh.triangle_boxes().find(around(axis.at(-axis.half_length), axis.at(axis.half_length)), found_);
   for (const int triangle : found_)
     if (goes_through(axis, mesh.surface().shape(triangle)))
       pierced.push_back(mesh.surface().facet(triangle));
@@ -142,9 +141,8 @@ bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeature
   for (const int found : found_) {
     const int corner = surface.corner_nodes()[found];
     const std::vector<int> &edges = surface.edges_at(corner);
-    if (std::all_of(edges.begin(), edges.end(), [&](int edge) {
-          return is_in_valley(surface, surface.edges()[edge], axis);
-        }))
+    if (std::all_of(edges.begin(), edges.end(),
+                    [&](int edge) { return is_in_valley(surface, surface.edges()[edge], axis); }))
       continue;
     const Vec3 &at = surface.node(corner);
     if (norm_squared(axis.at(closest_position(axis, at)) - at) <= reach * reach)

@@ -134,8 +134,7 @@ void add_styles(LAMMPS *lmp)
   fixes["freeze"] = &create_fix_for<FixFreezeSpherocylinder, FixFreeze>;
   fixes["mesh/surface"] = &create_fix_for<FixMeshSurfaceSpherocylinder, FixMeshSurface>;
   fixes["move"] = &create_fix_for<FixMoveSpherocylinder, FixMove>;
-  fixes["neighlist/mesh"] =
-      &create_fix_for<FixNeighlistMeshSpherocylinder, FixNeighlistMesh>;
+  fixes["neighlist/mesh"] = &create_fix_for<FixNeighlistMeshSpherocylinder, FixNeighlistMesh>;
   fixes["wall/gran"] = &create_fix_for<FixWallGranSpherocylinder, FixWallGran>;
   fixes["heat/gran"] = fixes["heat/gran/conduction"] =
       &create_fix_for<FixHeatGranSpherocylinder, FixHeatGranCond>;

@@ -270,8 +270,7 @@ void FixWallGranSpherocylinder::post_force_primitive(int vflag)
 void FixWallGranSpherocylinder::forget_contacts_of_far_rods(double **history)
 {
   for (const int i : near_rods_.far()) {
-    const bool beyond =
-        wall_.surface.gap_of_sphere(load(atom->x[i]), atom->radius[i]) > 0.0;
+    const bool beyond = wall_.surface.gap_of_sphere(load(atom->x[i]), atom->radius[i]) > 0.0;
     if (beyond)
       std::fill_n(history[i], dnum(), 0.0);
     else
@@ -393,7 +392,6 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
       MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
       list->set_count(all);
     }
-    rod_wall_->compute_mesh_forces(*this, mesh, static_cast<int>(m), rods, is_new,
-                                   mesh_histories_);
+    rod_wall_->compute_mesh_forces(*this, mesh, static_cast<int>(m), rods, is_new, mesh_histories_);
   }
 }

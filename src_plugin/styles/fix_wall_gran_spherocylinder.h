@@ -35,10 +35,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void grow_arrays(int rods) override { mesh_histories_.grow(rods); }
   void copy_arrays(int from, int to, int) override { mesh_histories_.copy(from, to); }
   void set_arrays(int rod) override { mesh_histories_.clear(rod); }
-  int pack_exchange(int rod, double *buffer) override
-  {
-    return mesh_histories_.pack(rod, buffer);
-  }
+  int pack_exchange(int rod, double *buffer) override { return mesh_histories_.pack(rod, buffer); }
   int unpack_exchange(int rod, double *buffer) override
   {
     return mesh_histories_.unpack(rod, buffer);

@@ -100,7 +100,8 @@ void MeshSurface::keep_place()
 void MeshSurface::make_trees()
 {
   std::vector<Box> triangles, edges, corners;
-  for (const Corners &c : corners_) triangles.push_back(united(around(c[0], c[1]), around(c[2], c[2])));
+  for (const Corners &c : corners_)
+    triangles.push_back(united(around(c[0], c[1]), around(c[2], c[2])));
   for (const SurfaceEdge &edge : surface_.edges())
     edges.push_back(around(surface_.node(edge.nodes[0]), surface_.node(edge.nodes[1])));
   for (const int corner : surface_.corner_nodes())

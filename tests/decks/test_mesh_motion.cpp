@@ -147,32 +147,6 @@ INSTANTIATE_TEST_SUITE_P(, MovedMeshesRun,
                          testing::Values(Mode::TwoRanks, Mode::FourRanks, Mode::Restarted),
                          [](const auto &info) { return name_of(info.param); });
 
-// The first force of a run knows of the mesh's velocity: a rod that lies on a plate and moves with it feels
-// its weight only.
-TEST(MovedMeshes, HaveTheirVelocityInTheFirstStep)
-{
-  Scene scene;
-  Rod rod;
-  const double overlap = 1e-5;
-  rod.position.z = rod.radius() - overlap;
-  rod.velocity = {0.3, 0.0, 0.15};
-  scene.rods = {rod};
-  scene.files["plate.stl"] = stl(tiled(kPlate, 2, 2));
-  const DeckFolder folder;
-  folder.write("rods.data", data_file(scene));
-  folder.write("plate.stl", scene.files["plate.stl"]);
-  folder.write("in.first",
-               preamble(scene) + "read_data rods.data\nneighbor 0.02 bin\nneigh_modify delay 0\n" +
-                   linear_material(kStiffness, 5.7e3, 0.5, 0.3) + rod_pair(kModels) + plate() +
-                   "fix go all move/mesh mesh m linear 0.3 0.0 0.15\n" + kMotion +
-                   exact_dump("dump.first", 1, "id fx fy fz") + "timestep 1e-5\nrun 0\n");
-  const Outcome outcome = folder.run("in.first");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  const Table forces = read_dump(folder / "dump.first").back().atoms;
-  EXPECT_NEAR(forces.at(0, "fx"), 0.0, 1e-9);
-  EXPECT_NEAR(forces.at(0, "fz"), 2.0 * kStiffness * overlap, 1e-9);
-}
-
 // In its own plane, about an axis that is not its middle.
 TEST(MovedMeshes, RotateIsATurningPlane)
 {
