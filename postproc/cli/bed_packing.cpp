@@ -7,19 +7,16 @@
 
 #include <fmt/format.h>
 
+#include "cli/mesh_packing.h"
 #include "core/numbers.h"
-#include "core/parallel.h"
 #include "io/input_error.h"
 #include "measures/close_pairs.h"
 #include "measures/orientation_statistics.h"
 #include "measures/packing_theory.h"
 #include "solid/capsule_measures.h"
-#include "solid/overlap_volume.h"
 
 namespace spherocylinder {
 namespace {
-
-constexpr std::size_t kPairsAPiece = 1024;
 
 AspectRatios aspect_ratios(const std::vector<Rod> &rods)
 {
@@ -42,96 +39,6 @@ void need_inner_heights(double floor, double bottom, double top)
     throw InputError(fmt::format("--inner-bottom, --inner-top: the top must be above the bottom "
                                  "(got bottom {:.6g}, top {:.6g})",
                                  bottom, top));
-}
-
-// Where two rods overlap, and how much.
-struct Overlap {
-  Vec3 place;  // half-way between the closest points
-  BoundedVolume volume;
-};
-
-// A pair's volume is asked for to this part: overlaps are some percent of the solid, so that the
-// solid's error is a hundred times smaller.
-constexpr double kOverlapTolerance = 1e-2;
-
-std::vector<Overlap> overlaps_of(const Bed &bed)
-{
-  const auto pairs = close_pairs(bed.rods, periodicity_of(bed.frame), 0.0);
-  std::vector<Overlap> overlaps(pairs.size());
-  for_each_piece(pairs.size(), kPairsAPiece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; k++) {
-      const ClosePair &pair = pairs[k];
-      const Capsule &i = bed.rods[pair.i].capsule;
-      Capsule j = bed.rods[pair.j].capsule;
-      const Vec3 p = i.segment.at(pair.s);
-      const Vec3 q = p - (pair.gap + i.radius + j.radius) * pair.normal;
-      j.segment.centre = q - pair.t * j.segment.axis;  // of the image that is near
-      overlaps[k] = {0.5 * (p + q), overlap_volume(i, j, kOverlapTolerance)};
-    }
-  });
-  return overlaps;
-}
-
-// The rods that reach into the region, and their images over periodic boundaries that do.
-std::vector<Rod> rods_reaching(const Bed &bed, const UprightBox &region)
-{
-  struct Images {
-    int first, last;
-    double side;
-  };
-  const auto images = [&](const Rod &rod, int d, double centre, double axis, double low,
-                          double high) -> Images {
-    if (!bed.frame.periodic[d]) return {0, 0, 0.0};
-    const double side = bed.frame.box[d][1] - bed.frame.box[d][0];
-    const double reach = rod.capsule.segment.half_length * std::abs(axis) + rod.capsule.radius;
-    return {static_cast<int>(std::ceil((low - reach - centre) / side)),
-            static_cast<int>(std::floor((high + reach - centre) / side)), side};
-  };
-  std::vector<Rod> found;
-  for (const Rod &rod : bed.rods) {
-    const auto &[c, u, half_length] = rod.capsule.segment;
-    const Images x = images(rod, 0, c.x, u.x, region.x_low, region.x_high);
-    const Images y = images(rod, 1, c.y, u.y, region.y_low, region.y_high);
-    const Images z = images(rod, 2, c.z, u.z, region.z_low, region.z_high);
-    for (int i = x.first; i <= x.last; i++)
-      for (int j = y.first; j <= y.last; j++)
-        for (int k = z.first; k <= z.last; k++) {
-          Rod image = rod;
-          image.capsule.segment.centre = c + Vec3{i * x.side, j * y.side, k * z.side};
-          if (!misses(region, image.capsule)) found.push_back(image);
-        }
-  }
-  return found;
-}
-
-// Whether the place, or its image in a periodic box, is in the region.
-bool holds_place(const UprightBox &region, Vec3 place, const DumpFrame &frame)
-{
-  const auto inside = [&](double at, int d, double low, double high) {
-    if (!frame.periodic[d]) return at >= low && at <= high;
-    const double side = frame.box[d][1] - frame.box[d][0];
-    return at + side * std::ceil((low - at) / side) <= high;
-  };
-  return inside(place.x, 0, region.x_low, region.x_high) &&
-         inside(place.y, 1, region.y_low, region.y_high) &&
-         inside(place.z, 2, region.z_low, region.z_high);
-}
-
-RegionPacking pack_box(const Bed &bed, const UprightBox &box, const std::vector<Overlap> &overlaps,
-                       double tolerance)
-{
-  const double space = volume(box);
-  const BoundedVolume solid = solid_within(rods_reaching(bed, box), box, tolerance);
-  double twice = 0.0;
-  for (const Overlap &overlap : overlaps)
-    if (holds_place(box, overlap.place, bed.frame)) twice += overlap.volume.value;
-  return {none,
-          box.z_low,
-          box.z_high,
-          space,
-          solid.value / space,
-          solid.error / space,
-          (solid.value - twice) / space};
 }
 
 // What holds the bed, as box with walls if it is one.
@@ -229,8 +136,8 @@ class Container {
     const DumpFrame &frame = bed_.frame;
     if (!frame.periodic[0] || !frame.periodic[1])
       throw InputError(fmt::format(
-          "{}: step {}: the box is not periodic in x and y, wanted --vessel-radius, --box or "
-          "--region",
+          "{}: step {}: the box is not periodic in x and y, wanted --vessel-radius, --vessel, "
+          "--box or --region",
           frame.path, frame.step));
     periodicity_of(frame);  // refuses a tilted or flat box
   }
@@ -328,11 +235,17 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   p.whole = p.clipped = p.inner = p.bulk = p.region = nowhere;
   if (options.region) {
     if (bed.frame.box_is_tilted) periodicity_of(bed.frame);  // refused if it is periodic too
-    p.region = pack_box(bed, *options.region, overlaps, options.tolerance);
+    p.region = options.mesh
+                   ? pack_part(bed, *options.mesh, *options.region, overlaps, options.tolerance)
+                   : pack_box(bed, *options.region, overlaps, options.tolerance);
     if (!options.holds_bed(bed.frame)) return p;
   }
   if (options.box) {
     measure_in_box(bed, options, overlaps, mean_diameter(rods), p);
+    return p;
+  }
+  if (options.mesh) {
+    measure_in_mesh(bed, options, overlaps, mean_diameter(rods), p);
     return p;
   }
   const Container container(bed, options, p.height);
@@ -433,6 +346,12 @@ PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, 
     return {height_profile(bed.rods, section, box.z_low, bin_edges(0.0, top_bin(box.z_low), width)),
             {},
             {}};
+  }
+  if (options.mesh) {
+    const ClosedMesh &mesh = options.mesh->mesh;
+    const double floor = mesh.bounds().z_low, top = mesh.bounds().z_high;
+    const double last = width * std::ceil((std::min(height.highest_point, top) - floor) / width);
+    return {height_profile(bed.rods, mesh, bin_edges(0.0, last, width)), {}, {}};
   }
   const Container container(bed, options, height);
   const UprightCylinder &whole = container.whole();

@@ -3,19 +3,29 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cli/beds.h"
+#include "cli/region_packing.h"
 #include "cli/result_table.h"
 #include "measures/packing_measures.h"
 #include "measures/solid_profile.h"
 
 namespace spherocylinder {
 
+struct MeshVessel {
+  std::string path;
+  ClosedMesh mesh;
+};
+
 struct PackingOptions {
-  std::optional<Vessel> vessel;      // or
-  std::optional<UprightBox> box;     // with walls; or neither: the dump's box, periodic in x and y
+  std::optional<Vessel> vessel;            // or
+  std::shared_ptr<const MeshVessel> mesh;  // or
+  std::optional<UprightBox>
+      box;  // with walls; or none of them: the dump's box, periodic in x and y
   std::optional<UprightBox> region;  // any, whatever holds the bed; alone, nothing else is measured
   double floor = 0.0;                // of that box, unless it is periodic in z too (m)
   InnerOverride inner;
@@ -25,7 +35,7 @@ struct PackingOptions {
   // Whether more than the region is asked for.
   bool holds_bed(const DumpFrame &frame) const
   {
-    return vessel || box || (frame.periodic[0] && frame.periodic[1]);
+    return vessel || mesh || box || (frame.periodic[0] && frame.periodic[1]);
   }
 };
 
@@ -34,16 +44,6 @@ struct AspectRatios {
 
   // Wider than the rounding of a dump.
   bool several() const { return largest - smallest > 1e-4 * mean; }
-};
-
-// The solid of a region, its overlaps counted twice and once. NaN where there is no such region.
-struct RegionPacking {
-  double radius;       // m, NaN for a box and a layer of a periodic one
-  double bottom, top;  // m
-  double volume;       // m^3
-  double fraction;
-  double error;         // bound on the error of the fraction
-  double net_fraction;  // less the overlaps of pairs whose contact lies in the region
 };
 
 struct BedPacking {
@@ -62,7 +62,8 @@ struct BedPacking {
   RegionPacking inner;
   double bulk_margin;  // m
   RegionPacking bulk;
-  RegionPacking region;  // the user's own
+  RegionPacking region;          // the user's own
+  bool vessel_is_convex = true;  // else there is neither inner nor bulk
 
   bool has_rods() const { return spheres < rods; }  // for which there are theories
 };

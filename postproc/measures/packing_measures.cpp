@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "solid/capsule_measures.h"
+#include "solid/closed_mesh.h"
 
 namespace spherocylinder {
 
@@ -53,32 +54,31 @@ UprightCylinder inner_half(const UprightCylinder &whole)
 
 namespace {
 
-template <class Region>
-BoundedVolume solid_of_rods(const std::vector<Rod> &rods, const Region &region, double tolerance)
+// Of rods wholly inside, `inside` is the volume; cut_volume(rod, tolerance) gives that of one that is cut.
+template <class CutVolume>
+BoundedVolume solid_of_rods(double inside, const std::vector<Capsule> &cut, double tolerance,
+                            CutVolume cut_volume)
 {
   // The few rods that are cut may each be off by more than the tolerance if the sum is not.
   constexpr double kLoosest = 0.05;
-  double inside = 0.0, cut = 0.0;
-  for (const Rod &rod : rods) {
-    if (misses(region, rod.capsule)) continue;
-    (holds(region, rod.capsule) ? inside : cut) += volume(rod.capsule);
-  }
+  double whole = 0.0;
+  for (const Capsule &rod : cut) whole += volume(rod);
   const double for_cut =
-      cut > 0.0 ? std::clamp(tolerance * inside / cut, tolerance, std::max(tolerance, kLoosest))
-                : tolerance;
+      whole > 0.0 ? std::clamp(tolerance * inside / whole, tolerance, std::max(tolerance, kLoosest))
+                  : tolerance;
 
-  constexpr std::size_t kRodsAPiece = 1024;
-  std::vector<BoundedVolume> parts((rods.size() + kRodsAPiece - 1) / kRodsAPiece);
-  for_each_piece(rods.size(), kRodsAPiece, [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t kRodsAPiece = 64;
+  std::vector<BoundedVolume> parts((cut.size() + kRodsAPiece - 1) / kRodsAPiece);
+  for_each_piece(cut.size(), kRodsAPiece, [&](std::size_t begin, std::size_t end) {
     BoundedVolume sum{0.0, 0.0};
     for (std::size_t i = begin; i < end; i++) {
-      const BoundedVolume part = clipped_volume(rods[i].capsule, region, for_cut);
+      const BoundedVolume part = cut_volume(cut[i], for_cut);
       sum.value += part.value;
       sum.error += part.error;
     }
     parts[begin / kRodsAPiece] = sum;
   });
-  BoundedVolume solid{0.0, 0.0};
+  BoundedVolume solid{inside, 0.0};
   for (const BoundedVolume &part : parts) {
     solid.value += part.value;
     solid.error += part.error;
@@ -86,17 +86,48 @@ BoundedVolume solid_of_rods(const std::vector<Rod> &rods, const Region &region, 
   return solid;
 }
 
+template <class Region>
+BoundedVolume solid_in_region(const std::vector<Rod> &rods, const Region &region, double tolerance)
+{
+  double inside = 0.0;
+  std::vector<Capsule> cut;
+  for (const Rod &rod : rods) {
+    if (misses(region, rod.capsule)) continue;
+    if (holds(region, rod.capsule))
+      inside += volume(rod.capsule);
+    else
+      cut.push_back(rod.capsule);
+  }
+  return solid_of_rods(inside, cut, tolerance, [&](const Capsule &rod, double for_cut) {
+    return clipped_volume(rod, region, for_cut);
+  });
+}
+
 }  // namespace
 
 BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightCylinder &region,
                            double tolerance)
 {
-  return solid_of_rods(rods, region, tolerance);
+  return solid_in_region(rods, region, tolerance);
 }
 
 BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightBox &region, double tolerance)
 {
-  return solid_of_rods(rods, region, tolerance);
+  return solid_in_region(rods, region, tolerance);
+}
+
+BoundedVolume solid_within(const std::vector<Rod> &rods, const ClosedMesh &region, double tolerance)
+{
+  double inside = 0.0;
+  std::vector<Capsule> cut;
+  for (const Rod &rod : rods) {
+    const ClosedMesh::Place place = region.place_of(rod.capsule);
+    if (place == ClosedMesh::Place::Inside) inside += volume(rod.capsule);
+    if (place == ClosedMesh::Place::Cut) cut.push_back(rod.capsule);
+  }
+  return solid_of_rods(inside, cut, tolerance, [&](const Capsule &rod, double for_cut) {
+    return volume_inside(region.triangles(), rod, for_cut);
+  });
 }
 
 SolidFraction solid_fraction(const std::vector<Rod> &rods, const UprightCylinder &region,

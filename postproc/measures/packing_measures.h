@@ -11,6 +11,8 @@
 
 namespace spherocylinder {
 
+class ClosedMesh;
+
 struct Vessel {
   double x = 0.0, y = 0.0;  // of its axis (m)
   double radius = 0.0;      // m
@@ -53,6 +55,8 @@ UprightCylinder inner_half(const UprightCylinder &whole);
 BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightCylinder &region,
                            double tolerance);
 BoundedVolume solid_within(const std::vector<Rod> &rods, const UprightBox &region,
+                           double tolerance);
+BoundedVolume solid_within(const std::vector<Rod> &rods, const ClosedMesh &region,
                            double tolerance);
 
 // Solid within the region over the region's volume, to within `tolerance` of the fraction or of

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "core/parallel.h"
 #include "io/input_error.h"
 #include "solid/capsule_measures.h"
+#include "solid/closed_mesh.h"
 #include "solid/plane_volume.h"
 
 namespace spherocylinder {
@@ -327,6 +329,22 @@ std::vector<ProfileBin> height_profile(const std::vector<Rod> &rods, double sect
   for (std::size_t k = 1; k < edges.size(); k++)
     bins.push_back({edges[k - 1], edges[k], section * (edges[k] - edges[k - 1]),
                     below[k] - below[k - 1], 0.0});
+  return bins;
+}
+
+std::vector<ProfileBin> height_profile(const std::vector<Rod> &rods, const ClosedMesh &vessel,
+                                       const std::vector<double> &edges)
+{
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const double floor = vessel.bounds().z_low;
+  std::vector<ProfileBin> bins = height_profile(rods, 1.0, floor, edges);
+  double below = 0.0;
+  for (ProfileBin &bin : bins) {
+    const auto part = vessel.part_within({-kFar, kFar, -kFar, kFar, -kFar, floor + bin.high});
+    const double up_to = part ? part->volume() : 0.0;
+    bin.region = up_to - below;
+    below = up_to;
+  }
   return bins;
 }
 

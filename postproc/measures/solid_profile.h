@@ -9,6 +9,8 @@
 
 namespace spherocylinder {
 
+class ClosedMesh;
+
 // Solid below each of the heights, which rise (m^3). Exact: volume_below of every rod.
 std::vector<double> volumes_below(const std::vector<Rod> &rods, const std::vector<double> &heights);
 
@@ -42,6 +44,10 @@ std::vector<double> bin_edges(double low, double high, double width);
 // Layers of the vessel from its floor up; `section` is its cross-section (m^2). Solid beyond the
 // side wall counts in its layer. Heights in `edges` are above `floor`.
 std::vector<ProfileBin> height_profile(const std::vector<Rod> &rods, double section, double floor,
+                                       const std::vector<double> &edges);
+
+// Layers of a vessel of any shape, from its lowest point up.
+std::vector<ProfileBin> height_profile(const std::vector<Rod> &rods, const ClosedMesh &vessel,
                                        const std::vector<double> &edges);
 
 // Shells about the vessel's axis between its floor and its top; edges from 0 to the radius.

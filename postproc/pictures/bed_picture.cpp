@@ -20,9 +20,9 @@
 #include <vtkRenderer.h>
 
 #include "core/numbers.h"
+#include "io/vtk_errors.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
-#include "pictures/drawing_errors.h"
 #include "pictures/picture_layout.h"
 #include "pictures/png_file.h"
 #include "pictures/rod_surface.h"
@@ -251,7 +251,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   const Ink ink = ink_for(options.background, kOversampling * layout.font_size);
   const auto colours = viridis(range.low, range.high);
 
-  const DrawingErrors errors;
+  const VtkErrors errors;
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(options.background[0], options.background[1], options.background[2]);
   add_rods(renderer, rods, colour, colours, options.resolution);

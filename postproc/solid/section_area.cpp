@@ -231,6 +231,21 @@ double intersection_area(const Stadium &a, const Stadium &b, const Point2 &b_cen
 }
 
 // The stadium is a band between its two ends and a half-disc beyond either.
+double intersection_area(const Stadium &stadium, const Polygon &polygon)
+{
+  const Point2 u = stadium.axis;
+  const Point2 minus_u{-u.t, -u.z};
+  const Point2 across{-u.z, u.t};
+  const Point2 minus_across{u.z, -u.t};
+  const double h = stadium.half_length;
+  const double r = stadium.radius;
+
+  const Polygon band =
+      clip(clip(clip(clip(polygon, u, h), minus_u, h), across, r), minus_across, r);
+  return area(band) + intersection_area(clip(polygon, minus_u, -h), {h * u.t, h * u.z}, r) +
+         intersection_area(clip(polygon, u, -h), {-h * u.t, -h * u.z}, r);
+}
+
 double intersection_area(const Stadium &stadium, const Rectangle &rectangle)
 {
   // Far corners of a large rectangle only cost digits: nothing lies beyond `reach`.
@@ -240,18 +255,8 @@ double intersection_area(const Stadium &stadium, const Rectangle &rectangle)
   const double z_low = std::max(rectangle.z_low, -reach);
   const double z_high = std::min(rectangle.z_high, reach);
   if (!(t_low < t_high && z_low < z_high)) return 0.0;
-
-  const Polygon frame{{t_low, z_low}, {t_high, z_low}, {t_high, z_high}, {t_low, z_high}};
-  const Point2 u = stadium.axis;
-  const Point2 minus_u{-u.t, -u.z};
-  const Point2 across{-u.z, u.t};
-  const Point2 minus_across{u.z, -u.t};
-  const double h = stadium.half_length;
-  const double r = stadium.radius;
-
-  const Polygon band = clip(clip(clip(clip(frame, u, h), minus_u, h), across, r), minus_across, r);
-  return area(band) + intersection_area(clip(frame, minus_u, -h), {h * u.t, h * u.z}, r) +
-         intersection_area(clip(frame, u, -h), {-h * u.t, -h * u.z}, r);
+  return intersection_area(
+      stadium, Polygon{{t_low, z_low}, {t_high, z_low}, {t_high, z_high}, {t_low, z_high}});
 }
 
 }  // namespace spherocylinder

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Areas in a plane, in closed form: what a plane section of a rod has in common with a rectangle.
+// Areas in a plane, in closed form: what a plane section of a rod has in common with a
+// polygon or a rectangle.
 #pragma once
 
 #include <vector>
@@ -34,6 +35,7 @@ Polygon clip(const Polygon &polygon, const Point2 &normal, double offset);
 // Area common to the polygon and the disc of this radius about `centre`.
 double intersection_area(const Polygon &polygon, const Point2 &centre, double radius);
 
+double intersection_area(const Stadium &stadium, const Polygon &polygon);
 double intersection_area(const Stadium &stadium, const Rectangle &rectangle);
 
 // `b_centre`: where the middle of b's segment lies; that of a is the origin.

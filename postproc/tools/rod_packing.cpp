@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // rod_packing: solid volume fractions of a bed of rods. docs/rod_packing.md
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "cli/bed_packing.h"
 #include "cli/beds.h"
 #include "cli/command_line.h"
+#include "cli/mesh_packing.h"
 #include "cli/result_table.h"
 #include "core/numbers.h"
 #include "io/input_error.h"
@@ -23,7 +25,7 @@ struct Options {
   BedFiles files;
   VesselOptions vessel;
   PackingOptions packing;
-  std::string csv, profiles;
+  std::string mesh, csv, profiles;
   std::optional<double> bin;
   std::vector<double> box, region;
 };
@@ -99,6 +101,12 @@ void print_table(const BedPacking &p)
              "V_f whole", p.whole.fraction, p.whole.net_fraction, p.whole.volume, p.whole.bottom,
              p.whole.top);
   print_region("V_f whole, clipped", p.clipped, p.whole.volume);
+  if (!p.vessel_is_convex) {
+    fmt::print("  {:<22} {:>8}             the vessel is not convex, --region takes a part of it\n",
+               "V_f inner and bulk", "none");
+    if (p.has_rods()) print_theory(p);
+    return;
+  }
   print_region("V_f inner", p.inner, p.whole.volume);
   print_region("V_f bulk", p.bulk, p.whole.volume);
   if (std::isnan(p.bulk.fraction))
@@ -118,6 +126,12 @@ void run(Options &options)
       throw InputError("--box: holds the bed, wanted without --vessel-radius, --centre, --floor");
     packing.box = box_of(options.box, "--box");
   }
+  if (!options.mesh.empty()) {
+    if (packing.vessel || packing.box || options.vessel.floor)
+      throw InputError(
+          "--vessel: holds the bed, wanted without --vessel-radius, --centre, --floor, --box");
+    packing.mesh = std::make_shared<MeshVessel>(read_vessel(options.mesh));
+  }
   if (!options.region.empty()) packing.region = box_of(options.region, "--region");
   if (options.bin && options.profiles.empty())
     throw InputError("--bin: wanted with --profiles only");
@@ -134,7 +148,7 @@ void run(Options &options)
     PackingProfiles profiles;
     if (!options.profiles.empty()) {
       if (!packing.holds_bed(bed.frame))
-        throw InputError("--profiles: wanted with --vessel-radius or --box");
+        throw InputError("--profiles: wanted with --vessel-radius, --vessel or --box");
       if (!options.bin) options.bin = 2.0 * bed.rods[0].capsule.radius;
       profiles = measure_profiles(bed, packing, *options.bin);
     }
@@ -166,8 +180,8 @@ int main(int argc, char **argv)
   Options options;
   PackingOptions &packing = options.packing;
   CLI::App app(
-      "Solid volume fractions of a bed of rods: in an upright cylindrical vessel, in a box with "
-      "walls, in the dump's box if that is periodic in x and y, or in any region of a heap or "
+      "Solid volume fractions of a bed of rods: in an upright cylindrical vessel, in one of any "
+      "shape, in a box with walls, in the dump's box if that is periodic in x and y, or in any region of a heap or "
       "drum.",
       "rod_packing");
   app.footer(
@@ -175,9 +189,12 @@ int main(int argc, char **argv)
       "         rod_packing bed.dump --vessel-radius 0.305 --profiles bed --bin 0.005\n"
       "         rod_packing seed1.dump.gz seed2.dump.gz --vessel-radius 0.305 --csv mean.csv\n"
       "         rod_packing periodic.dump --floor 0\n"
+      "         rod_packing bed.dump --vessel hopper.stl\n"
       "         rod_packing heap.dump --region -0.02 0.02 -0.02 0.02 0 0.03");
   add_bed_options(app, options.files);
   add_vessel_options(app, options.vessel);
+  app.add_option("--vessel", options.mesh,
+                 "STL file: its closed surface, facing outwards, holds the bed (m)");
   app.add_option("--box", options.box,
                  "XLO XHI YLO YHI ZLO ZHI: a box with walls holds the bed (m)")
       ->expected(6)

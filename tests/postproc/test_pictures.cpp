@@ -12,9 +12,9 @@
 
 #include "core/closest_points.h"
 #include "io/input_error.h"
+#include "io/vtk_errors.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
-#include "pictures/drawing_errors.h"
 #include "pictures/font.h"
 #include "pictures/picture_layout.h"
 #include "pictures/rod_surface.h"
@@ -403,11 +403,11 @@ TEST(PictureLayout, WhatDoesNotFitIsRefused)
 }
 
 // A complaint of VTK's becomes a sentence, and is caught only while asked for.
-TEST(DrawingErrors, AreSaid)
+TEST(VtkErrors, AreSaid)
 {
   vtkNew<vtkPolyDataMapper2D> mapper;
   {
-    const DrawingErrors errors;
+    const VtkErrors errors;
     EXPECT_NO_THROW(errors.expect_none("no picture"));
     vtkWarningWithObjectMacro(mapper, "only a warning");
     EXPECT_NO_THROW(errors.expect_none("no picture"));

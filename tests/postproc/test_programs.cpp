@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 
 #include "../program_folder.h"
+#include "meshes.h"
 #include "page_examples.h"
 #include "scratch_folder.h"
 #include "test_bed.h"
@@ -63,6 +64,7 @@ class Programs : public ScratchFolder {
     bed_ = dump_text(rods, 1000);
     write("bed.dump", bed_);
     write("drum.dump", bed_);
+    write("vessel.stl", stl_text(cone_mesh(0.305, 0.305, 0.0, 0.5, 60)));
     for (const char *name : {"seed1.dump", "seed2.dump", "seed3.dump"}) {
       options.seed += 2;
       write(name, dump_text(random_bed(options), 1000));
@@ -127,6 +129,22 @@ class Programs : public ScratchFolder {
             kTests + "/in.heap'"),
         0)
         << out_ << error_;
+  }
+
+  // The same fractions and volumes within `tolerance` of them.
+  void expect_same_packing(const std::string &a, const std::string &b, double tolerance)
+  {
+    auto first = csv_row(read(a)), second = csv_row(read(b));
+    EXPECT_EQ(read(a).substr(0, read(a).find('\n')), read(b).substr(0, read(b).find('\n')));
+    for (const std::string name :
+         {"rods", "z_top_m", "rods_volume_m3", "whole_volume_m3", "vf_whole", "vf_whole_net",
+          "vf_whole_clipped", "inner_bottom_m", "inner_top_m", "inner_volume_m3", "vf_inner",
+          "vf_inner_net", "bulk_margin_m", "bulk_volume_m3", "vf_bulk", "vf_bulk_net"}) {
+      if (std::isnan(first[name]))
+        EXPECT_TRUE(std::isnan(second[name])) << name;
+      else
+        EXPECT_NEAR(first[name], second[name], tolerance * (std::abs(first[name]) + 1e-9)) << name;
+    }
   }
 
   bool can_render() { return run("command -v xvfb-run") == 0 || std::getenv("DISPLAY"); }
@@ -264,7 +282,112 @@ TEST_F(Programs, PackingOfABoxWithWalls)
                  "--box: the upper bound in x must be above the lower (got 0.3 -0.1)");
   expect_refusal("rod_packing walls.dump --vessel-radius 1 " + box, "--box: holds the bed");
   expect_refusal("rod_packing walls.dump --inner-radius 1 " + box, "--inner-radius: wanted with");
-  expect_refusal("rod_packing walls.dump", "wanted --vessel-radius, --box or --region");
+  expect_refusal("rod_packing walls.dump", "wanted --vessel-radius, --vessel, --box or --region");
+
+  // The same box as a mesh says the same, to the tolerance of both.
+  write("box.stl", stl_text(box_mesh({-0.1, 0.3, 0.1, 0.3, 0, 1})));
+  ASSERT_EQ(run("rod_packing walls.dump --vessel box.stl --csv m.csv --profiles m --bin 0.02"), 0)
+      << error_;
+  expect_same_packing("w.csv", "m.csv", 1e-4);
+  EXPECT_EQ(csv_rows(read("m_height.csv")).size(), csv_rows(read("w_height.csv")).size());
+  EXPECT_NEAR(csv_row(read("m_height.csv"))["vf"], csv_row(read("w_height.csv"))["vf"], 1e-6);
+}
+
+// A vessel of 720 facets beside the round one: its section is smaller by 1 - sin(2 pi/n)/(2 pi/n) =
+// 1.3e-5, and its wall up to R (1 - cos(pi/n)) = 1e-5 R further in.
+TEST_F(Programs, PackingOfAMeshIsThatOfACylinder)
+{
+  write("round.stl", stl_text(cone_mesh(0.305, 0.305, 0.0, 0.5, 720)));
+  const std::string options = " --bulk-margin 0.05 --tolerance 1e-5 --csv ";
+  ASSERT_EQ(run("rod_packing bed.dump --vessel-radius 0.305" + options + "c.csv"), 0) << error_;
+  ASSERT_EQ(run("rod_packing bed.dump --vessel round.stl" + options + "m.csv"), 0) << error_;
+  expect_same_packing("c.csv", "m.csv", 1e-4);
+  EXPECT_NE(out_.find("V_f whole, clipped"), std::string::npos) << out_;
+}
+
+// One standing rod in a cube of 0.2 m, its centre at 0.1 m: pi r^2 h and the round ends.
+TEST_F(Programs, PackingOfOneRodInACube)
+{
+  const double pi = std::acos(-1.0), r = 0.01, h = 0.05, cap = 2.0 / 3.0 * pi * r * r * r;
+  write("one.dump", dump_text({{1, 1, {{{0, 0, 0.1}, {0, 0, 1}, h}, r}}}, 5));
+  write("cube.stl", stl_text(box_mesh({-0.1, 0.1, -0.1, 0.1, 0, 0.2})));
+  ASSERT_EQ(run("rod_packing one.dump --vessel cube.stl --region 0 1 -1 1 0.06 0.16 --csv o.csv"),
+            0)
+      << error_;
+  auto row = csv_row(read("o.csv"));
+  const double whole = 0.2 * 0.2 * 0.1, rod = pi * r * r * 2 * h + 2 * cap;
+  EXPECT_NEAR(row["whole_volume_m3"], whole, 1e-6 * whole);
+  EXPECT_NEAR(row["vf_whole"], rod / whole, 1e-6);
+  EXPECT_NEAR(row["vf_whole_clipped"], 0.5 * rod / whole,
+              row["vf_whole_clipped_integration_error"] + 1e-6);
+  EXPECT_NEAR(row["inner_volume_m3"], 0.5 * whole, 1e-6 * whole);
+  // The part of the window that is in the cube: of half of the rod 0.09 m of its length and
+  // the upper end.
+  EXPECT_NEAR(row["region_volume_m3"], 0.1 * 0.2 * 0.1, 1e-8);
+  EXPECT_NEAR(row["vf_region"], 0.5 * (pi * r * r * 0.09 + cap) / 0.002, 1e-6);
+}
+
+// A vessel with a displacer in its middle is not convex: no inner region and no bulk, as the table
+// says; what the displacer takes is missing from the volume.
+TEST_F(Programs, PackingOfAVesselWithADisplacer)
+{
+  write("one.dump", dump_text({{1, 1, {{{0.07, 0, 0.1}, {0, 1, 0}, 0.05}, 0.01}}}, 5));
+  write("hollow.stl",
+        stl_text(both(box_mesh({-0.1, 0.1, -0.1, 0.1, 0, 0.2}),
+                      turned_over(box_mesh({-0.05, 0.05, -0.05, 0.05, 0.05, 0.15})))));
+  ASSERT_EQ(run("rod_packing one.dump --vessel hollow.stl --csv h.csv"), 0) << error_;
+  auto row = csv_row(read("h.csv"));
+  EXPECT_NEAR(row["whole_volume_m3"], 0.2 * 0.2 * 0.1 - 0.1 * 0.1 * 0.05, 1e-8);
+  EXPECT_TRUE(std::isnan(row["vf_inner"]));
+  EXPECT_TRUE(std::isnan(row["vf_bulk"]));
+  EXPECT_NE(out_.find("  V_f inner and bulk         none             the vessel is not convex, "
+                      "--region takes a part of it\n"),
+            std::string::npos)
+      << out_;
+}
+
+TEST_F(Programs, VesselsThatCannotBeUsed)
+{
+  const Triangles cube = box_mesh({-0.4, 0.4, -0.4, 0.4, 0, 0.8});
+  Triangles open = cube, turned = cube;
+  open.resize(10);
+  std::swap(turned[3].a, turned[3].b);
+  write("cube.stl", stl_text(cube));
+  write("open.stl", stl_text(open));
+  write("turned.stl", stl_text(turned));
+  write("inwards.stl", stl_text(turned_over(cube)));
+  write("small.stl", stl_text(box_mesh({-0.001, 0.001, -0.001, 0.001, 0, 0.001})));
+  write("empty.stl", "solid\nendsolid\n");
+  write("text.stl", "no mesh\n");
+  write("bytes.stl", std::string(90, '\x01'));
+  write("vessel.obj", stl_text(cube));
+  const std::string command = "rod_packing bed.dump --vessel ";
+  const auto says = [&](const std::string &name, const std::string &sentence) {
+    expect_refusal(command + name, "rod_packing: " + sentence);
+  };
+  says("open.stl",
+       "open.stl: the vessel is not closed: 4 edges belong to one triangle only, one of them at (");
+  says("turned.stl",
+       "turned.stl: the vessel has 3 edges of which one triangle faces inwards and the other "
+       "outwards, wanted all outwards\n");
+  says(
+      "inwards.stl",
+      "inwards.stl: the vessel has triangles that face inwards: they enclose -0.512 m^3, wanted > 0, all "
+      "facing outwards\n");
+  says("empty.stl", "empty.stl: holds no triangles, wanted at least one\n");
+  says("text.stl", "text.stl: ");
+  says("bytes.stl", "bytes.stl: ");
+  says("none.stl", "none.stl: cannot be opened\n");
+  says("vessel.obj", "vessel.obj: must be a mesh whose name ends in .stl or .vtk (got '.obj')\n");
+  says("small.stl",
+       "bed.dump: step 1000: 30 of 30 rod centres are outside the vessel small.stl, wanted none\n");
+  says("cube.stl --vessel-radius 1",
+       "--vessel: holds the bed, wanted without --vessel-radius, --centre, --floor, --box\n");
+  says("cube.stl --inner-radius 1",
+       "--inner-radius, --inner-bottom, --inner-top: wanted without --vessel, of which --region "
+       "takes a part\n");
+  says("cube.stl --region 1 2 1 2 1 2",
+       "--region: nothing of the vessel cube.stl is in 1 2 1 2 1 2, wanted a part of it\n");
 }
 
 // A heap or a drum: half of a rod in a region, a quarter of two that cross, an image of one.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "pictures/drawing_errors.h"
+#include "io/vtk_errors.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 namespace spherocylinder {
 
-DrawingErrors::DrawingErrors()
+VtkErrors::VtkErrors()
     : before_(vtkOutputWindow::GetInstance()),
       verbosity_(vtkLogger::GetCurrentVerbosityCutoff()),
       window_(vtkSmartPointer<vtkStringOutputWindow>::New())
@@ -16,14 +16,14 @@ DrawingErrors::DrawingErrors()
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
-DrawingErrors::~DrawingErrors()
+VtkErrors::~VtkErrors()
 {
   vtkOutputWindow::SetInstance(before_);
   vtkLogger::SetStderrVerbosity(verbosity_);
 }
 
 // VTK writes "ERROR: In FILE, line N" and on the next line "CLASS (ADDRESS): WHAT".
-void DrawingErrors::expect_none(const std::string &what) const
+void VtkErrors::expect_none(const std::string &what) const
 {
   const std::string text = window_->GetOutput();
   const auto error = text.find("ERROR:");

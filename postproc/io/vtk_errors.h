@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What VTK complains of while it draws. It goes on then, with a black or incomplete picture.
+// What VTK complains of while it reads or draws. It goes on then, with a mesh or picture that is empty or
+// incomplete.
 #pragma once
 
 #include <string>
@@ -11,12 +12,12 @@
 namespace spherocylinder {
 
 // Collects VTK's complaints, instead of printing them, for as long as it lives.
-class DrawingErrors {
+class VtkErrors {
  public:
-  DrawingErrors();
-  ~DrawingErrors();
-  DrawingErrors(const DrawingErrors &) = delete;
-  DrawingErrors &operator=(const DrawingErrors &) = delete;
+  VtkErrors();
+  ~VtkErrors();
+  VtkErrors(const VtkErrors &) = delete;
+  VtkErrors &operator=(const VtkErrors &) = delete;
 
   // Throws InputError with these words and the first complaint if there was any error.
   void expect_none(const std::string &what) const;
