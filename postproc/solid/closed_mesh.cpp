@@ -13,17 +13,17 @@
 #include <vtkCleanPolyData.h>
 #include <vtkClipClosedSurface.h>
 #include <vtkFeatureEdges.h>
-#include <vtkHull.h>
 #include <vtkIdList.h>
 #include <vtkImplicitPolyDataDistance.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 #include <vtkTriangleFilter.h>
+
+#include "solid/half_spaces.h"
 
 namespace spherocylinder {
 namespace {
@@ -119,16 +119,43 @@ vtkSmartPointer<vtkPolyData> tidied(vtkPolyData *polygons)
   return found;
 }
 
-// All facing outwards.
-vtkSmartPointer<vtkPolyData> turned_outwards(vtkPolyData *mesh)
+vtkSmartPointer<vtkPolyData> poly_data_of(const std::vector<Triangle> &triangles)
 {
-  vtkNew<vtkPolyDataNormals> filter;
-  filter->SetInputData(mesh);
-  filter->ConsistencyOn();
-  filter->AutoOrientNormalsOn();
-  filter->SplittingOff();
-  filter->Update();
-  return filter->GetOutput();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (const Triangle &t : triangles) {
+    cells->InsertNextCell(3);
+    for (const Vec3 &p : {t.a, t.b, t.c})
+      cells->InsertCellPoint(points->InsertNextPoint(p.x, p.y, p.z));
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
+// The planes of the triangles, each once. Corners have the seven digits of an STL file: the plane
+// of a sliver is not known, and triangles are in one plane that are not further from it than that.
+std::vector<HalfSpace> planes_of(const std::vector<Triangle> &triangles, double size)
+{
+  constexpr double kSliver = 3e-4, kRounding = 1e-6;
+  std::vector<HalfSpace> planes;
+  for (const Triangle &t : triangles) {
+    const Vec3 n = turn(t);
+    const double longest = std::max({norm(t.b - t.a), norm(t.c - t.b), norm(t.a - t.c)});
+    if (norm(n) <= kSliver * size * longest) continue;
+    const auto is_in = [&](const HalfSpace &plane) {
+      const auto is_near = [&](const Vec3 &p) {
+        return std::abs(dot(plane.normal, p) - plane.offset) <= kRounding * size;
+      };
+      return is_near(t.a) && is_near(t.b) && is_near(t.c) && dot(plane.normal, n) > 0.0;
+    };
+    if (std::any_of(planes.rbegin(), planes.rend(), is_in)) continue;
+    const Vec3 normal = (1.0 / norm(n)) * n;
+    planes.push_back({normal, dot(normal, t.a)});
+  }
+  return planes;
 }
 
 }  // namespace
@@ -256,22 +283,11 @@ bool ClosedMesh::is_convex() const
 
 std::optional<ClosedMesh> ClosedMesh::inset(double margin) const
 {
-  vtkNew<vtkHull> hull;
-  for (const Triangle &t : triangles_) {
-    const Vec3 n = turn(t);
-    const double length = norm(n);
-    if (length == 0.0) continue;
-    // Of planes that look the same way it keeps the first.
-    hull->AddPlane(n.x / length, n.y / length, n.z / length, margin - dot(n, t.a) / length);
-  }
-  double b[6];
-  mesh_->GetBounds(b);
-  vtkNew<vtkPolyData> polygons;
-  hull->GenerateHull(polygons, b);
-  if (polygons->GetNumberOfPolys() == 0) return std::nullopt;
-  const auto found = tidied(polygons);
-  if (found->GetNumberOfPolys() < 4) return std::nullopt;
-  return ClosedMesh(turned_outwards(found));
+  std::vector<HalfSpace> planes = planes_of(triangles_, mesh_->GetLength());
+  for (HalfSpace &plane : planes) plane.offset -= margin;
+  const auto surface = common_body(planes, vec(mesh_->GetCenter()), mesh_->GetLength());
+  if (surface.size() < 4 || !(enclosed_volume(surface) > 0.0)) return std::nullopt;
+  return ClosedMesh(tidied(poly_data_of(surface)));
 }
 
 ClosedMesh ClosedMesh::scaled(double factor) const

@@ -140,7 +140,7 @@ TEST(ClosedMesh, PartsOfABox)
   EXPECT_NEAR(box.part_within({-9, 9, -9, 9, -9, 9})->volume(), volume(kBox), 1e-12);
   EXPECT_FALSE(box.part_within({-9, 9, -9, 9, 0.3, 9}));
   const auto inset = box.inset(0.02);
-  EXPECT_NEAR(inset->volume(), 0.26 * 0.16 * 0.26, 1e-9);
+  EXPECT_NEAR(inset->volume(), 0.26 * 0.16 * 0.26, 1e-12);
   EXPECT_FALSE(box.inset(0.11));
   const ClosedMesh half = box.scaled(std::cbrt(0.5));
   EXPECT_NEAR(half.volume(), 0.5 * volume(kBox), 1e-12);
@@ -160,6 +160,51 @@ TEST(ClosedMesh, PartOfAHopper)
     EXPECT_NEAR(part->volume(), wanted, 1e-9 * wanted);
     EXPECT_TRUE(part->is_convex());
   }
+}
+
+// A ball of n rings, cut anywhere, through rings of corners too: the two parts make up the whole.
+TEST(ClosedMesh, PartsOfABall)
+{
+  const int n = 12;
+  Triangles triangles;
+  const auto at = [&](int ring, int i) {
+    const double polar = pi * ring / n, angle = pi * (i % (2 * n)) / n;
+    const double across = ring % n == 0 ? 0.0 : std::sin(polar);
+    return Vec3{across * std::cos(angle), across * std::sin(angle), -std::cos(polar)};
+  };
+  for (int ring = 0; ring < n; ring++)
+    for (int i = 0; i < 2 * n; i++) {
+      const Vec3 a = at(ring, i), b = at(ring, i + 1), c = at(ring + 1, i + 1), d = at(ring + 1, i);
+      if (ring > 0) triangles.push_back({a, b, c});
+      if (ring < n - 1) triangles.push_back({a, c, d});
+    }
+  ASSERT_EQ(fault_of_surface(poly_data_of(triangles)), std::nullopt);
+  const ClosedMesh ball = mesh_of(triangles);
+  EXPECT_TRUE(ball.is_convex());
+  EXPECT_NEAR(ball.volume(), 4.0 / 3.0 * pi, 0.15);
+  // All faces are the same way further in: where many planes meet in the poles too.
+  const double from_middle = std::cos(pi / (2 * n));  // of the widest faces; others a little less
+  for (const double margin : {0.1, 0.5}) {
+    const double scale = 1.0 - margin / from_middle;
+    const double found = ball.inset(margin)->volume();
+    EXPECT_NEAR(found, scale * scale * scale * ball.volume(), 0.02 * found);
+  }
+  const double rings[] = {-std::cos(pi / n), -std::cos(5 * pi / n), 0.0, 0.1, 0.731, 0.999};
+  for (const double z : rings) {
+    const auto below = ball.part_within({-2, 2, -2, 2, -2, z});
+    const auto above = ball.part_within({-2, 2, -2, 2, z, 2});
+    EXPECT_NEAR(below->volume() + above->volume(), ball.volume(), 1e-9) << z;
+    EXPECT_NEAR(ball.part_within({-2, z, -2, 2, -2, 2})->volume() +
+                    ball.part_within({z, 2, -2, 2, -2, 2})->volume(),
+                ball.volume(), 1e-9)
+        << z;
+  }
+  double octants = 0.0;
+  for (int k = 0; k < 8; k++)
+    octants += ball.part_within({k & 1 ? 0.0 : -2.0, k & 1 ? 2.0 : 0.0, k & 2 ? 0.0 : -2.0,
+                                 k & 2 ? 2.0 : 0.0, k & 4 ? 0.0 : -2.0, k & 4 ? 2.0 : 0.0})
+                   ->volume();
+  EXPECT_NEAR(octants, ball.volume(), 1e-9);
 }
 
 TEST(ClosedMesh, Distance)
