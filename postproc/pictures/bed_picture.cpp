@@ -23,6 +23,7 @@
 #include "io/vtk_errors.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
+#include "pictures/mesh_surface.h"
 #include "pictures/picture_layout.h"
 #include "pictures/png_file.h"
 #include "pictures/rod_surface.h"
@@ -42,6 +43,7 @@ Extent extent_of(const std::vector<Rod> &rods, const PictureOptions &options)
   if (options.seen) extent.include(*options.seen);
   if (options.box)
     for (const Vec3 &corner : corners_of(*options.box)) extent.include(corner);
+  for (const DrawnMesh &mesh : options.meshes) extent.include(mesh.surface);
   if (!options.vessel) return extent;
   const UprightCylinder &vessel = options.vessel->cylinder;
   for (const double z : {vessel.z_low, vessel.z_high}) {
@@ -104,6 +106,32 @@ void add_box(vtkRenderer *renderer, const Box &box, const Ink &ink)
   add_line(renderer, edges->GetOutput(), ink);
 }
 
+// To be looked through.
+void add_pane(vtkRenderer *renderer, vtkPolyData *mesh, double opacity)
+{
+  const auto actor = add_surface(renderer, mesh);
+  actor->GetProperty()->SetColor(0.55, 0.63, 0.72);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetOpacity(opacity);
+}
+
+constexpr double kWallOpacity = 0.18, kFloorOpacity = 0.35;
+
+void add_mesh(vtkRenderer *renderer, const DrawnMesh &mesh, const ViewFrame &frame, const Ink &ink)
+{
+  if (mesh.kind == DrawnMesh::Kind::Body) {
+    const auto actor = add_surface(renderer, mesh.surface);
+    actor->GetProperty()->SetColor(0.62, 0.65, 0.68);
+    actor->GetProperty()->SetInterpolationToFlat();
+    return;
+  }
+  if (mesh.kind == DrawnMesh::Kind::Floor)
+    add_pane(renderer, mesh.surface, kFloorOpacity);
+  else
+    add_pane(renderer, walls_behind(mesh.surface, frame.towards), kWallOpacity);
+  add_line(renderer, outline_of(mesh.surface, frame.towards), ink);
+}
+
 // The half of the wall behind the rods, the end away from the viewer, the two rings (dashed where
 // the vessel goes on beyond them) and the outline's two lines along the axis.
 void add_vessel(vtkRenderer *renderer, const DrawnVessel &drawn, const ViewFrame &frame,
@@ -118,23 +146,20 @@ void add_vessel(vtkRenderer *renderer, const DrawnVessel &drawn, const ViewFrame
     back.begin = std::atan2(towards.y, towards.x) + 0.5 * pi;
     back.span = pi;
   }
-  const auto add_pane = [&](vtkPolyData *mesh, double opacity) {
+  const auto add_turned = [&](vtkPolyData *mesh, double opacity) {
     turn_to_space(mesh, drawn.axis);
-    const auto actor = add_surface(renderer, mesh);
-    actor->GetProperty()->SetColor(0.55, 0.63, 0.72);
-    actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetOpacity(opacity);
+    add_pane(renderer, mesh, opacity);
   };
   const auto add_edge = [&](vtkPolyData *line) {
     turn_to_space(line, drawn.axis);
     add_line(renderer, line, ink);
   };
-  add_pane(vessel_wall(vessel, back), 0.18);
+  add_turned(vessel_wall(vessel, back), kWallOpacity);
   const bool low_is_far = towards.z >= 0.0;
   if (!(low_is_far ? drawn.goes_on_below : drawn.goes_on_above)) {
     UprightCylinder far_end = vessel;
     if (!low_is_far) far_end.z_low = vessel.z_high;
-    add_pane(vessel_floor(far_end), 0.35);
+    add_turned(vessel_floor(far_end), kFloorOpacity);
   }
   for (const auto &[z, goes_on] : {std::pair{vessel.z_low, drawn.goes_on_below},
                                    std::pair{vessel.z_high, drawn.goes_on_above}})
@@ -257,6 +282,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   add_rods(renderer, rods, colour, colours, options.resolution);
   if (options.vessel) add_vessel(renderer, *options.vessel, frame, ink);
   if (options.box) add_box(renderer, *options.box, ink);
+  for (const DrawnMesh &mesh : options.meshes) add_mesh(renderer, mesh, frame, ink);
   add_lights(renderer);
 
   // Ambient occlusion darkens the gaps between rods, which tells near from far in a bed.

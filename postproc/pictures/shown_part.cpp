@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "io/input_error.h"
+#include "io/mesh_file.h"
+#include "pictures/mesh_surface.h"
 #include "pictures/vessel_surface.h"
 #include "solid/capsule_measures.h"
 
@@ -50,6 +52,13 @@ std::array<bool, 3> edged(const DumpFrame &frame)
   return frame.box_is_tilted ? std::array<bool, 3>{} : frame.periodic;
 }
 
+// A floor without a vessel is a plane of its own.
+VesselOptions without_free_floor(VesselOptions options)
+{
+  if (!options.radius) options.floor.reset();
+  return options;
+}
+
 }  // namespace
 
 void add_vessel_axis_option(CLI::App &app, std::optional<std::string> &axis)
@@ -80,7 +89,8 @@ ShownPart::ShownPart(const PartOptions &options, View view, bool several)
       view_(view),
       several_(several),
       axis_(vessel_axis_of(options.vessel_axis, options.vessel)),
-      vessel_(vessel_about(axis_, options.vessel)),
+      vessel_(vessel_about(axis_, without_free_floor(options.vessel))),
+      floor_(options.vessel.radius ? std::nullopt : options.vessel.floor),
       reach_(nothing()),
       bounds_(nothing()),
       seen_(view)
@@ -111,6 +121,8 @@ void ShownPart::look_at(const DumpFrame &frame, const std::vector<Rod> &rods)
   for (const Rod &rod : rods)
     if (is_kept(rod)) kept.push_back(rod);
   need_inside(frame, kept);
+  if (rods.empty()) return;
+  for (const DrawnMesh &mesh : meshes_at(frame.step)) seen_.include(mesh.surface);
   if (kept.empty()) return;
   const Box reach = reach_of(kept);
   const auto periodic = edged(frame);
@@ -135,6 +147,7 @@ bool ShownPart::is_kept(const Rod &rod) const
 
 void ShownPart::need_inside(const DumpFrame &frame, const std::vector<Rod> &kept) const
 {
+  if (floor_) need_rods_inside({frame, kept, 0}, Vessel{0.0, 0.0, kInfinity, *floor_});
   if (!vessel_) return;
   if (is_upright()) {
     need_rods_inside({frame, kept, 0}, *vessel_);
@@ -242,8 +255,51 @@ std::optional<Box> ShownPart::edges(const DumpFrame &frame) const
   return box;
 }
 
+// What is left of a mesh by --box and --top.
+vtkSmartPointer<vtkPolyData> ShownPart::shown_mesh(const std::string &file) const
+{
+  const auto mesh = read_mesh(file);
+  UprightBox room = box_.value_or(
+      UprightBox(-kInfinity, kInfinity, -kInfinity, kInfinity, -kInfinity, kInfinity));
+  room.z_high = std::min(room.z_high, options_.top.value_or(kInfinity));
+  return mesh_within(mesh, room);
+}
+
+std::vector<DrawnMesh> ShownPart::meshes_at(std::int64_t step) const
+{
+  std::vector<DrawnMesh> found;
+  const auto add = [&](DrawnMesh::Kind kind, const std::string &name) {
+    const std::string file = mesh_file_at(name, step);
+    const bool of_all_steps = file == name;
+    vtkSmartPointer<vtkPolyData> mesh = of_all_steps ? meshes_[file] : nullptr;
+    if (!mesh) mesh = shown_mesh(file);
+    if (of_all_steps) meshes_[file] = mesh;
+    if (mesh->GetNumberOfPolys() > 0) found.push_back({kind, mesh});
+  };
+  for (const std::string &name : options_.meshes) add(DrawnMesh::Kind::Walls, name);
+  for (const std::string &name : options_.bodies) add(DrawnMesh::Kind::Body, name);
+  return found;
+}
+
+// Over the box, or what rods reach and a tenth more.
+DrawnMesh ShownPart::floor_below(const DumpFrame &frame) const
+{
+  Box under = reach_;
+  for (int i = 0; i < 2; i++) {
+    const double rim = 0.1 * (reach_[i][1] - reach_[i][0]);
+    under[i] = {reach_[i][0] - rim, reach_[i][1] + rim};
+  }
+  const auto box = edges(frame);
+  for (int i = 0; box && i < 2; i++)
+    if (box_ || frame.periodic[i]) under[i] = (*box)[i];
+  const UprightBox sides(under[0][0], under[0][1], under[1][0], under[1][1], *floor_, *floor_);
+  return {DrawnMesh::Kind::Floor, level_plane(sides, *floor_)};
+}
+
 void ShownPart::set(PictureOptions &picture, const DumpFrame &frame) const
 {
+  picture.meshes = meshes_at(frame.step);
+  if (floor_ && reach_[0][0] < reach_[0][1]) picture.meshes.push_back(floor_below(frame));
   if (vessel_) picture.vessel = drawn_vessel();
   picture.box = edges(frame);
   const bool only_vessel = vessel_ && is_upright() && options_.top;

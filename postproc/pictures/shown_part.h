@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,10 +17,11 @@ namespace spherocylinder {
 
 struct PartOptions {
   VesselOptions vessel;
-  std::optional<std::string> vessel_axis;  // x, y or z
-  std::optional<double> vessel_height;     // along the axis (m)
-  std::vector<double> box;                 // its six bounds (m), or empty
-  std::optional<double> top;               // m
+  std::optional<std::string> vessel_axis;   // x, y or z
+  std::optional<double> vessel_height;      // along the axis (m)
+  std::vector<double> box;                  // its six bounds (m), or empty
+  std::optional<double> top;                // m
+  std::vector<std::string> meshes, bodies;  // files of walls and of what is seen from outside
   bool cut = false;
 };
 
@@ -38,7 +41,7 @@ class ShownPart {
   ShownPart(const PartOptions &options, View view, bool several);
 
   // Takes in a frame with its rods; before the first picture, all frames that are to be drawn.
-  // Throws InputError for rods outside the vessel.
+  // Throws InputError for rods outside the vessel, and for meshes that cannot be read.
   void look_at(const DumpFrame &frame, const std::vector<Rod> &rods);
 
   // Indices of the rods that are drawn.
@@ -50,7 +53,7 @@ class ShownPart {
   // The options that leave rods out.
   std::string left_out_by() const;
 
-  // Sets vessel, boxes and aim.
+  // Sets vessel, boxes, meshes and aim.
   void set(PictureOptions &picture, const DumpFrame &frame) const;
 
  private:
@@ -67,16 +70,22 @@ class ShownPart {
   double middle_y() const;
   DrawnVessel drawn_vessel() const;
   std::optional<Box> edges(const DumpFrame &frame) const;
+  std::vector<DrawnMesh> meshes_at(std::int64_t step) const;
+  vtkSmartPointer<vtkPolyData> shown_mesh(const std::string &file) const;
+  DrawnMesh floor_below(const DumpFrame &frame) const;
 
   PartOptions options_;
   View view_;
   bool several_;
   int axis_;
   std::optional<Vessel> vessel_;  // in its own frame
+  std::optional<double> floor_;   // of a heap without a vessel (m)
   std::optional<UprightBox> box_;
   Box reach_;    // of the rods seen so far, whole, but for those left out by --top and --box
   Box bounds_;   // the same, but in periodic directions the dump's box
-  Extent seen_;  // these rods and the boxes with edges
+  Extent seen_;  // these rods, the boxes with edges and the meshes
+  mutable std::map<std::string, vtkSmartPointer<vtkPolyData>>
+      meshes_;  // of all steps, by their names
 };
 
 }  // namespace spherocylinder

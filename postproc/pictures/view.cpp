@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <vtkPolyData.h>
+
 namespace spherocylinder {
 
 ViewFrame frame_of(View view)
@@ -39,6 +41,11 @@ void Extent::include(const std::vector<Rod> &rods)
   for (const Rod &rod : rods)
     for (const double side : {-1.0, 1.0})
       include(rod.capsule.segment.at(side * rod.capsule.segment.half_length), rod.capsule.radius);
+}
+
+void Extent::include(vtkPolyData *mesh)
+{
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); i++) include(load(mesh->GetPoint(i)));
 }
 
 void Extent::include(const Extent &other)

@@ -6,6 +6,8 @@
 
 #include "io/rods.h"
 
+class vtkPolyData;
+
 namespace spherocylinder {
 
 enum class View {
@@ -27,6 +29,7 @@ class Extent {
 
   void include(const Vec3 &point, double radius = 0.0);
   void include(const std::vector<Rod> &rods);
+  void include(vtkPolyData *mesh);
   void include(const Extent &other);  // of the same view
 
   bool is_empty() const { return low_[0] > high_[0]; }

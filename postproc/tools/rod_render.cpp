@@ -229,7 +229,9 @@ int main(int argc, char **argv)
              "         rod_render pour.dump.gz --out speed.png --colour speed --range 0 0.1\n"
              "         rod_render bed.dump --out inside.png --vessel-radius 0.305 --cut\n"
              "         rod_render pour.dump --frame all --out pour.png --film pour.mp4\n"
-             "         rod_render drum.dump --out drum.png --vessel-radius 0.2 --vessel-axis y");
+             "         rod_render drum.dump --out drum.png --vessel-radius 0.2 --vessel-axis y\n"
+             "         rod_render mill.dump --frame all --out mill.png --mesh drum.stl --body "
+             "'blade_*.stl'");
   add_input_options(app, options.input);
   app.add_option("--out", options.out,
                  "PNG file to write; with --frame all NAME_0001.png and so on")
@@ -250,6 +252,9 @@ int main(int argc, char **argv)
                "values shown")
       ->excludes("--range");
   add_vessel_options(app, options.part.vessel);
+  app.get_option("--floor")->description(
+      "height Z of the floor (m), default 0 with --vessel-radius, else there is none; without a "
+      "vessel a plane is drawn below the rods");
   add_vessel_axis_option(app, options.part.vessel_axis);
   app.add_option("--vessel-height", options.part.vessel_height,
                  "height of the vessel (m), or its length along another axis; of an upright one "
@@ -259,6 +264,13 @@ int main(int argc, char **argv)
                  "XLO XHI YLO YHI ZLO ZHI: show this box (m) and the rods centred in it")
       ->expected(6)
       ->check(finite_number());
+  app.add_option("--mesh", options.part.meshes,
+                 "STL or VTK file of walls to draw (m), repeatable; a * in its name stands for the "
+                 "step")
+      ->allow_extra_args(false);
+  app.add_option("--body", options.part.bodies,
+                 "the same of what is seen from outside, such as a blade")
+      ->allow_extra_args(false);
   app.add_option("--top", options.part.top,
                  "leave out rods that reach above this height Z (m); an upright vessel is shown up "
                  "to it")

@@ -10,6 +10,8 @@
 #include "cli/command_line.h"
 #include "cli/frame_choice.h"
 #include "io/input_error.h"
+#include "io/mesh_file.h"
+#include "pictures/mesh_surface.h"
 #include "pictures/ovito_file.h"
 #include "pictures/rod_data.h"
 #include "pictures/rod_surface.h"
@@ -30,6 +32,8 @@ struct Options {
   std::optional<std::string> vessel_axis;
   std::optional<double> vessel_height, timestep;
   bool ovito = false;
+  std::vector<std::string> meshes;
+  std::vector<double> box;
 };
 
 double time_of(const DumpFrame &frame, const Options &options)
@@ -51,6 +55,42 @@ std::vector<std::string> write_vessel(const UprightCylinder &vessel, int axis,
   return files;
 }
 
+// The meshes and the box's faces; each is written once, or for each step if there is a file of it.
+class Walls {
+ public:
+  Walls(const Options &options) : out_(options.out), meshes_(options.meshes)
+  {
+    if (!options.box.empty()) box_ = box_of(options.box, "--box");
+    for (const std::string &name : meshes_)
+      if (name.find('*') == std::string::npos) (void) read_mesh(name);  // can be read
+  }
+
+  // Writes what is new at this step; returns the files that belong to it.
+  std::vector<std::string> write(std::int64_t step)
+  {
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < meshes_.size(); i++) {
+      const std::string file = mesh_file_at(meshes_[i], step);
+      const bool of_all_steps = file == meshes_[i];
+      files.push_back(of_all_steps ? fmt::format("{}_mesh{}.vtp", out_, i + 1)
+                                   : fmt::format("{}_mesh{}_{:010}.vtp", out_, i + 1, step));
+      if (!of_all_steps || is_first_) write_poly_data(files.back(), read_mesh(file));
+    }
+    if (box_) {
+      files.push_back(out_ + "_box.vtp");
+      if (is_first_) write_poly_data(files.back(), box_faces(*box_));
+    }
+    is_first_ = false;
+    return files;
+  }
+
+ private:
+  std::string out_;
+  std::vector<std::string> meshes_;
+  std::optional<UprightBox> box_;
+  bool is_first_ = true;
+};
+
 void run(const Options &options)
 {
   const int axis = vessel_axis_of(options.vessel_axis, options.vessel);
@@ -61,6 +101,7 @@ void run(const Options &options)
   TimeSeries series(options.out + ".pvd");
   std::optional<OvitoFile> ovito;   // opened only once there is something to write
   std::vector<std::string> vessel;  // files
+  Walls others(options);
   std::size_t frames = 0;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
     const std::vector<Rod> rods = rods_of(frame);
@@ -81,8 +122,10 @@ void run(const Options &options)
                             options.out);
     write_poly_data(file, geometry.mesh);
     series.add(time, file);
-    for (std::size_t i = 0; i < vessel.size(); i++)
-      series.add(time, vessel[i], static_cast<int>(i) + 1);
+    std::vector<std::string> about = vessel;
+    for (const std::string &other : others.write(frame.step)) about.push_back(other);
+    for (std::size_t i = 0; i < about.size(); i++)
+      series.add(time, about[i], static_cast<int>(i) + 1);
   });
   series.write();
   if (ovito) ovito->close();
@@ -120,5 +163,14 @@ int main(int argc, char **argv)
                  "another axis, "
                  "PREFIX_vessel.vtp, and PREFIX_floor.vtp")
       ->check(positive_number());
+  app.add_option(
+         "--mesh", options.meshes,
+         "STL or VTK file of a mesh (m), repeatable: also write PREFIX_mesh1.vtp and so on; "
+         "a * in its name stands for the step")
+      ->allow_extra_args(false);
+  app.add_option("--box", options.box,
+                 "XLO XHI YLO YHI ZLO ZHI: also write the faces of this box (m), PREFIX_box.vtp")
+      ->expected(6)
+      ->check(finite_number());
   return run_tool(app, argc, argv, [&] { run(options); });
 }

@@ -13,13 +13,16 @@
 #include "core/closest_points.h"
 #include "io/input_error.h"
 #include "io/vtk_errors.h"
+#include "meshes.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
 #include "pictures/font.h"
+#include "pictures/mesh_surface.h"
 #include "pictures/picture_layout.h"
 #include "pictures/rod_surface.h"
 #include "pictures/shown_part.h"
 #include "pictures/vessel_surface.h"
+#include "scratch_folder.h"
 #include "solid/capsule_measures.h"
 #include "test_bed.h"
 
@@ -263,6 +266,94 @@ TEST(ShownPart, OfAFilmOfAVessel)
   EXPECT_NEAR(picture.vessel->cylinder.z_high, 4.4, 1e-12);
   EXPECT_TRUE(picture.vessel->goes_on_above);
   EXPECT_FALSE(picture.aim_at_rods);
+}
+
+// Of a box the faces that look away from the viewer or are seen from their edge, of a cylinder the
+// half of the wall behind the axis and the floor, of a plate all; whichever way triangles are turned.
+TEST(MeshSurface, WallsBehind)
+{
+  const Triangles box = box_mesh({1, 2, 1, 3, 1, 4});
+  for (const Triangles &mesh : {box, turned_over(box)}) {
+    const auto data = poly_data_of(mesh);
+    EXPECT_EQ(walls_behind(data, frame_of(View::Side).towards)->GetNumberOfPolys(), 10);
+    EXPECT_EQ(walls_behind(data, frame_of(View::Top).towards)->GetNumberOfPolys(), 10);
+    EXPECT_EQ(walls_behind(data, frame_of(View::Oblique).towards)->GetNumberOfPolys(), 6);
+  }
+  const int n = 90;
+  const auto wall = poly_data_of(cone_mesh(1, 1, 0, 2, n));
+  EXPECT_EQ(walls_behind(wall, frame_of(View::Oblique).towards)->GetNumberOfPolys(), n + n);
+  const auto plate = poly_data_of({{{0, 0, 0}, {1, 0, 0.5}, {0, 1, 0}}});
+  EXPECT_EQ(walls_behind(plate, {0, 0, 1})->GetNumberOfPolys(), 1);
+  EXPECT_EQ(walls_behind(plate, {0, 0, -1})->GetNumberOfPolys(), 1);
+}
+
+// A box's twelve edges; of a cylinder from the side the two ends' circles and two lines.
+TEST(MeshSurface, Outline)
+{
+  EXPECT_EQ(
+      outline_of(poly_data_of(box_mesh({1, 2, 1, 3, 1, 4})), {0.3, -0.9, 0.4})->GetNumberOfLines(),
+      12);
+  EXPECT_EQ(outline_of(poly_data_of(cone_mesh(1, 1, 0, 2, 90)), {0.1, -1, 0})->GetNumberOfLines(),
+            90 + 90 + 2);
+}
+
+TEST(MeshSurface, PartInABox)
+{
+  const auto part = mesh_within(poly_data_of(box_mesh({1, 2, 1, 3, 1, 4})), {0, 1.5, 0, 9, 0, 3});
+  double b[6];
+  part->GetBounds(b);
+  const double wanted[] = {1, 1.5, 1, 3, 1, 3};
+  for (int i = 0; i < 6; i++) EXPECT_NEAR(b[i], wanted[i], 1e-6);
+}
+
+class ShownMeshes : public ScratchFolder {};
+
+// The pictures of a film see a mesh at all its places: from x = -4 to 6; and what --top leaves of it.
+TEST_F(ShownMeshes, OfAFilmAreAllInIt)
+{
+  write("m_0.stl", stl_text(box_mesh({-4, -3, 0, 1, 0, 1})));
+  write("m_0050.stl", stl_text(box_mesh({5, 6, 0, 1, 0, 1})));
+  PartOptions options;
+  options.bodies = {path("m_*.stl")};
+  options.top = 0.5;
+  ShownPart part(options, View::Side, true);
+  DumpFrame first, second;
+  second.step = 50;
+  part.look_at(first, {rod_along_x({0, 0, 0}, 0.4)});
+  part.look_at(second, {rod_along_x({0, 0, 0}, 0.4)});
+  PictureOptions picture;
+  part.set(picture, second);
+  EXPECT_NEAR(picture.seen->size(0), 10.0, 1e-6);
+  EXPECT_NEAR(picture.seen->size(1), 0.6, 1e-6);
+  ASSERT_EQ(picture.meshes.size(), 1u);
+  EXPECT_NEAR(picture.meshes[0].surface->GetBounds()[0], 5.0, 1e-6);
+  EXPECT_EQ(picture.meshes[0].kind, DrawnMesh::Kind::Body);
+}
+
+// The floor of a heap reaches a tenth further than its rods, in a box to its sides.
+TEST(ShownPart, FloorOfAHeap)
+{
+  PartOptions options;
+  options.vessel.floor = -0.1;
+  DumpFrame frame;
+  const std::vector<Rod> rods{rod_along_x({0, 0, 0}, 0.4), rod_along_x({0, 1, 0}, 0.4)};
+  ShownPart part(options, View::Side, false);
+  part.look_at(frame, rods);
+  PictureOptions picture;
+  part.set(picture, frame);
+  ASSERT_EQ(picture.meshes.size(), 1u);
+  EXPECT_EQ(picture.meshes[0].kind, DrawnMesh::Kind::Floor);
+  const double wanted[] = {-0.6, 0.6, -0.22, 1.22, -0.1, -0.1};
+  for (int i = 0; i < 6; i++)
+    EXPECT_NEAR(picture.meshes[0].surface->GetBounds()[i], wanted[i], 1e-6);
+
+  options.box = {-2, 2, -3, 3, -1, 1};
+  ShownPart boxed(options, View::Side, false);
+  boxed.look_at(frame, rods);
+  boxed.set(picture, frame);
+  EXPECT_NEAR(picture.meshes[0].surface->GetBounds()[3], 3.0, 1e-6);
+  options.vessel.floor = 0.5;
+  EXPECT_THROW(ShownPart(options, View::Side, false).look_at(frame, rods), InputError);
 }
 
 // Front and back dashes cover each other from the side and from the front, and half is gaps.

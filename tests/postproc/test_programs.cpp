@@ -65,6 +65,9 @@ class Programs : public ScratchFolder {
     write("bed.dump", bed_);
     write("drum.dump", bed_);
     write("vessel.stl", stl_text(cone_mesh(0.305, 0.305, 0.0, 0.5, 60)));
+    for (const int step : {0, 500, 1000})
+      write(fmt::format("blade_{}.stl", step),
+            stl_text(box_mesh({-0.2, 0.2, -0.01, 0.01, 0.3 + 1e-4 * step, 0.35 + 1e-4 * step})));
     for (const char *name : {"seed1.dump", "seed2.dump", "seed3.dump"}) {
       options.seed += 2;
       write(name, dump_text(random_bed(options), 1000));
@@ -833,6 +836,31 @@ TEST_F(Programs, VtkSeriesHoldsTheVessel)
   EXPECT_NE(read("p_floor.vtp").find("NumberOfPolys=\"1\""), std::string::npos);
 }
 
+// A mesh is written once, one of a series for each step, the box's faces once; all beside the rods.
+TEST_F(Programs, VtkSeriesHoldsMeshes)
+{
+  ASSERT_EQ(run("rod_vtk pour.dump --out p --geometry lines --mesh vessel.stl --mesh 'blade_*.stl' "
+                "--box -1 1 -1 1 0 1"),
+            0)
+      << error_;
+  const std::string series = read("p.pvd");
+  for (const char *words : {"timestep=\"500\" part=\"1\" file=\"p_mesh1.vtp\"",
+                            "timestep=\"500\" part=\"2\" file=\"p_mesh2_0000000500.vtp\"",
+                            "timestep=\"1000\" part=\"2\" file=\"p_mesh2_0000001000.vtp\"",
+                            "timestep=\"1000\" part=\"3\" file=\"p_box.vtp\""})
+    EXPECT_NE(series.find(words), std::string::npos) << words << " in " << series;
+  EXPECT_NE(read("p_mesh1.vtp").find("NumberOfPolys=\"240\""), std::string::npos);
+  EXPECT_NE(read("p_mesh2_0000000500.vtp").find("NumberOfPolys=\"12\""), std::string::npos);
+  EXPECT_NE(read("p_mesh2_0000000500.vtp"), read("p_mesh2_0000001000.vtp"));
+  EXPECT_NE(read("p_box.vtp").find("NumberOfPolys=\"6\""), std::string::npos);
+
+  expect_refusal("rod_vtk bed.dump --out q --box 0 1 0 1 1 0", "--box: the upper bound in z");
+  expect_refusal("rod_vtk bed.dump --out q --mesh none.stl", "none.stl: cannot be opened");
+  write("blade_x.stl", "");
+  expect_sentence("rod_vtk pour.dump --out q --mesh 'blade_x*.stl'",
+                  "blade_x*.stl: there is no file of step 0, wanted one for each step drawn");
+}
+
 // A drum's wall and floor are others than those of an upright vessel of the same size (where they
 // lie: VesselSurface.LiesAlongAnAxis).
 TEST_F(Programs, VtkVesselMayLie)
@@ -987,8 +1015,8 @@ TEST_F(Programs, WrongOptions)
   expect_refusal(drum + "y --floor -1 --vessel-height 0.1",
                  "30 of 30 rod centres are outside the vessel of radius 0.4 along y from -1 to "
                  "-0.9 through (0, 0, 0)");
+  expect_refusal("rod_vtk bed.dump --floor 0", "--floor: wanted with --vessel-radius only");
   for (const char *tool : {"rod_render bed.dump --out a.png", "rod_vtk bed.dump"}) {
-    expect_refusal(std::string(tool) + " --floor 0", "--floor: wanted with --vessel-radius only");
     expect_refusal(std::string(tool) + " --centre 0 0", "--centre: wanted with --vessel-radius");
     expect_refusal(std::string(tool) + " --vessel-height 1", "--vessel-height");
     expect_refusal(std::string(tool) + " --vessel-axis x", "--vessel-axis: wanted with");
@@ -1058,6 +1086,52 @@ TEST_F(Programs, PeriodicBoxIsDrawn)
   EXPECT_EQ(box, picture("deeper.dump"));
   write("higher.dump", with_box("-1 1\n-1 1\n-1 12\n"));
   EXPECT_NE(box, picture("higher.dump"));
+}
+
+// Walls, bodies and a floor without a vessel change the picture, each its own way (which walls:
+// MeshSurface.WallsBehind). Pictures of a film show the mesh of their step.
+TEST_F(Programs, MeshesAreDrawn)
+{
+  if (!can_render()) GTEST_SKIP() << "neither a display nor xvfb-run";
+  const auto picture = [&](const std::string &options) {
+    EXPECT_EQ(run("rod_render bed.dump --out a.png --size 300x200 --view side " + options), 0)
+        << error_;
+    return read("a.png");
+  };
+  const std::string bare = picture(""), walls = picture("--mesh vessel.stl"),
+                    body = picture("--body vessel.stl");
+  EXPECT_NE(bare, walls);
+  EXPECT_NE(bare, body);
+  EXPECT_NE(walls, body);
+  EXPECT_NE(picture("--mesh vessel.stl --cut"), walls);
+  EXPECT_NE(picture("--floor 0"), bare);
+
+  const std::string film =
+      "rod_render pour.dump --frame all --out f.png --size 200x200 --mesh vessel.stl --body ";
+  ASSERT_EQ(run(film + "'blade_*.stl'"), 0) << error_;
+  const std::string second = read("f_0002.png");
+  ASSERT_EQ(run(film + "blade_1000.stl"), 0) << error_;
+  EXPECT_EQ(read("f_0002.png"), second);
+  ASSERT_EQ(run(film + "blade_500.stl"), 0) << error_;
+  EXPECT_NE(read("f_0002.png"), second);
+}
+
+TEST_F(Programs, MeshesThatCannotBeDrawn)
+{
+  write("words.stl", "words");
+  for (const std::string option : {"--mesh ", "--body "}) {
+    const std::string command = "rod_render bed.dump --out a.png " + option;
+    expect_refusal(command + "none.stl", "rod_render: none.stl: cannot be opened\n");
+    expect_refusal(command + "words.stl", "rod_render: words.stl: ");
+    expect_refusal(command + "bed.dump",
+                   "rod_render: bed.dump: must be a mesh whose name ends in .stl or .vtk (got "
+                   "'.dump')\n");
+    expect_refusal(command + "'m_*.stl'",
+                   "rod_render: m_*.stl: there is no file of step 1000, wanted one for each step "
+                   "drawn\n");
+  }
+  expect_refusal("rod_render bed.dump --out a.png --floor 9",
+                 "30 of 30 rod centres are below the floor 9, wanted none");
 }
 
 // Programs named ffmpeg that write down what they are called with: the film is asked for with the
