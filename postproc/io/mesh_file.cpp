@@ -111,7 +111,7 @@ vtkSmartPointer<vtkPolyData> read_mesh(const std::string &path)
   if (polygons->GetNumberOfPolys() + polygons->GetNumberOfStrips() == 0)
     throw InputError(fmt::format("{}: holds no triangles, wanted at least one", path));
   need_finite(path, polygons);
-  const auto mesh = shared_corners(polygons);
+  auto mesh = shared_corners(polygons);
   if (mesh->GetNumberOfPolys() == 0)
     throw InputError(fmt::format("{}: all its triangles have no area, wanted at least one", path));
   return mesh;
