@@ -61,6 +61,7 @@ class Finder {
       for (const int corner : near_.corners) add_between_at_corner(corner);
       if (contacts_.size() > ends) {
         drop_twins(ends);
+        fade_ends(ends);
         share_between(ends);
       }
     }
@@ -76,7 +77,8 @@ class Finder {
   const NearFeatures &near_;
   const std::vector<RememberedSide> &remembered_;
   std::vector<SurfaceContact> &contacts_;
-  const double seam_;  // m
+  const double seam_;                // m
+  std::vector<int> nearest_within_;  // edges that the axis is nearest to between both's ends
 
   // What bears a contact: of an edge or a corner one of its triangles.
   struct Bearer {
@@ -110,14 +112,15 @@ class Finder {
   {
     const double distance = norm(way);
     if (distance == 0.0) return;
-    double weight = 1.0;
-    if (place != OnRod::kBetween && !passed) {
-      const double outwards = dot(way, axis_.axis) * (along < 0.0 ? -1.0 : 1.0) / distance;
-      weight = std::min(1.0, 1.0 - outwards / kComesNearer);
-      if (axis_.half_length == 0.0) weight = 1.0;
-    }
     const double sign = passed ? -1.0 : 1.0;
-    if (weight > 0.0) add(place, bearer, along, (sign / distance) * way, sign * distance, weight);
+    add(place, bearer, along, (sign / distance) * way, sign * distance);
+  }
+
+  // Of an end's contact with this normal, where the axis comes nearer farther in.
+  double kept_of_end(const Vec3 &normal, double along) const
+  {
+    const double outwards = dot(normal, axis_.axis) * (along < 0.0 ? -1.0 : 1.0);
+    return std::min(1.0, std::max(0.0, 1.0 - outwards / kComesNearer));
   }
 
   // Whether the rod's point has gone through the edge or corner that it touched in the last step.
@@ -168,7 +171,7 @@ class Finder {
     for (const int corner : near_.corners) add_at_corner(place, corner, along, end);
     if (contacts_.size() - first < 2) return;
     drop_twins(first);
-    drop_hidden(first);
+    drop_hidden(first, which);
     share_valley(first);
   }
 
@@ -202,8 +205,9 @@ class Finder {
     for (const RememberedSide &memory : remembered_) {
       if (memory.place != place) continue;
       const bool is_same = surface_.facet(memory.triangle) == surface_.facet(triangle);
-      if (!is_same && (surface_.patch(memory.triangle) != surface_.patch(triangle) ||
-                       !surface_.are_neighbours(memory.triangle, triangle)))
+      if (!is_same &&
+          (surface_.patch(memory.triangle) != surface_.patch(triangle) ||
+           !surface_.meet_smoothly(surface_.facet(memory.triangle), surface_.facet(triangle))))
         continue;
       const double along = dot(memory.normal, surface_.shape(memory.triangle).normal);
       if (along != 0.0)
@@ -270,56 +274,84 @@ class Finder {
       }
   }
 
-  // A face that another one hides from the end, as the far side of a thin plate, does not touch it.
-  void drop_hidden(size_t first)
+  // A face that another one hides from the end, as the far side of a thin plate, does not touch it. Once
+  // the end is through one, nothing is told of what it sees.
+  void drop_hidden(size_t first, int which)
   {
-    for (size_t a = first; a < contacts_.size(); a++)
-      for (size_t b = first; b < contacts_.size(); b++) {
-        if (a == b || !is_face(a) || !is_face(b)) continue;
-        const SurfaceContact &front = contacts_[a];
-        SurfaceContact &behind = contacts_[b];
-        if (!(front.distance < behind.distance) || front.distance < 0.0 ||
-            dot(front.normal, behind.normal) <= 0.0)
-          continue;
-        const Vec3 from = axis_.at(front.along), to = behind.on_surface(axis_);
-        const TriangleShape &shape = surface_.shape(front.triangle);
-        const double height = dot(to - shape.corners[0], front.normal);
-        if (height > -4.0 * seam_) continue;
-        const Vec3 crossing = from + (front.distance / (front.distance - height)) * (to - from);
-        if (shape.holds_foot(crossing, rod_.radius)) behind.weight = 0.0;
-      }
+    for (size_t k = first; k < contacts_.size(); k++)
+      if (contacts_[k].distance < 0.0) return;
+    for (size_t k = first; k < contacts_.size(); k++)
+      if (is_face(k) && is_hidden(contacts_[k], which)) contacts_[k].weight = 0.0;
+  }
+  bool is_hidden(const SurfaceContact &contact, int which) const
+  {
+    const Vec3 from = axis_.at(contact.along), to = contact.on_surface(axis_);
+    const std::vector<int> &triangles = near_.triangles[which];
+    for (const NearFacet &facet : near_.facets[which]) {
+      const TriangleShape &shape = surface_.shape(triangles[facet.first]);
+      const double before = shape.height(from), behind = shape.height(to);
+      if (before * behind >= 0.0 || std::fabs(behind) <= 4.0 * seam_) continue;
+      const Vec3 crossing = from + (before / (before - behind)) * (to - from);
+      for (int k = facet.first; k < facet.first + facet.count; k++)
+        if (surface_.shape(triangles[k]).holds_foot(crossing, seam_)) return true;
+    }
+    return false;
   }
 
-  // The share of a facet in a valley: how far its foot is from the line where it meets the next, which is
-  // its height over that over the sine of the turn.
+  // Facets in a valley share one load: as their overlaps, and as how far each one's foot is from where it
+  // meets the next. One that hardly touches changes nothing for the others.
   void share_valley(size_t first)
   {
-    const size_t count = contacts_.size();
-    std::vector<double> from_valley(count, -1.0);
-    for (size_t a = first; a < count; a++)
-      for (size_t b = first; b < count; b++) {
-        if (a == b || !make_a_valley(a, b)) continue;
-        const SurfaceContact &one = contacts_[a], &other = contacts_[b];
-        const double sine = norm(cross(one.normal, other.normal));
-        const Vec3 foot = one.on_surface(axis_);
-        const double over = dot(foot - surface_.shape(other.triangle).corners[0], other.normal);
-        const double way = std::max(0.0, sine > 0.0 ? over / sine : 0.0);
-        from_valley[a] = from_valley[a] < 0.0 ? way : std::min(from_valley[a], way);
-      }
-    std::vector<double> weights(count, -1.0);
-    for (size_t a = first; a < count; a++) {
-      if (from_valley[a] < 0.0) continue;
-      double sum = from_valley[a];
-      int members = 1;
-      for (size_t b = first; b < count; b++) {
-        if (a == b || !make_a_valley(a, b)) continue;
-        sum += from_valley[b];
-        members++;
-      }
-      weights[a] = sum > 0.0 ? from_valley[a] / sum : 1.0 / members;
+    const size_t count = contacts_.size() - first;
+    // How far two facets go together: wholly those that meet, others as the way between them bears.
+    std::vector<double> together(count * count, 0.0);
+    bool any = false;
+    for (size_t a = 0; a < count; a++)
+      for (size_t b = 0; b < count; b++)
+        if (a != b && make_a_valley(first + a, first + b)) {
+          together[a * count + b] = std::numeric_limits<double>::infinity();
+          any = true;
+        }
+    if (!any) return;
+    std::vector<double> parts(count, 0.0);
+    for (size_t a = 0; a < count; a++) {
+      parts[a] = overlap(first + a);
+      for (size_t b = 0; b < count; b++)
+        if (make_a_valley(first + a, first + b)) parts[a] *= part_beside(first + a, first + b);
     }
-    for (size_t a = first; a < count; a++)
-      if (weights[a] >= 0.0) contacts_[a].weight = weights[a];
+    for (size_t via = 0; via < count; via++)
+      for (size_t a = 0; a < count; a++)
+        for (size_t b = 0; b < count; b++) {
+          if (a == b || a == via || b == via) continue;
+          const double way =
+              std::min({together[a * count + via], parts[via], together[via * count + b]});
+          together[a * count + b] = std::max(together[a * count + b], way);
+        }
+    for (size_t a = 0; a < count; a++) {
+      double sum = parts[a];
+      for (size_t b = 0; b < count; b++) {
+        const double way = together[a * count + b], least = std::min(parts[a], parts[b]);
+        if (way > 0.0) sum += parts[b] * (way < least ? way / least : 1.0);
+      }
+      if (sum > parts[a]) contacts_[first + a].weight = parts[a] / sum;
+    }
+  }
+  double overlap(size_t k) const { return rod_.radius - contacts_[k].distance; }
+  // 0 where this one's foot is where it meets the other, 1 if the other does not touch.
+  double part_beside(size_t a, size_t b) const
+  {
+    const double own = from_valley(a, b), others = from_valley(b, a);
+    const double part = own + others > 0.0 ? own / (own + others) : 0.5;
+    return 1.0 - (1.0 - part) * (overlap(b) < overlap(a) ? overlap(b) / overlap(a) : 1.0);
+  }
+  // A foot's height over the other facet over the sine of the turn.
+  double from_valley(size_t a, size_t b) const
+  {
+    const SurfaceContact &one = contacts_[a], &other = contacts_[b];
+    const double sine = norm(cross(one.normal, other.normal));
+    const double over =
+        dot(one.on_surface(axis_) - surface_.shape(other.triangle).corners[0], other.normal);
+    return sine > 0.0 ? std::max(0.0, over / sine) : 0.0;
   }
   bool is_face(size_t k) const
   {
@@ -346,6 +378,7 @@ class Finder {
       const bool passed = has_passed(OnRod::kBetween, bearer, nearest.delta);
       if (stands_out(surface_.edges()[index], passed ? -nearest.delta : nearest.delta)) {
         add_by_way(OnRod::kBetween, bearer, nearest.s, nearest.delta, passed);
+        nearest_within_.push_back(index);
         return;
       }
     }
@@ -389,6 +422,10 @@ class Finder {
 
   void add_between_at_corner(int node)
   {
+    // Of a convex pair, axis and edge, there is one nearest place: not its end if it is within the edge.
+    for (const int edge : surface_.edges_at(node))
+      if (std::find(nearest_within_.begin(), nearest_within_.end(), edge) != nearest_within_.end())
+        return;
     const Vec3 &at = surface_.node(node);
     const double along = closest_position(axis_, at);
     if (!is_between(along)) return;
@@ -397,6 +434,38 @@ class Finder {
     const bool passed = has_passed(OnRod::kBetween, corner(node), way);
     if (!corner_stands_out(node, passed ? -way : way)) return;
     add_by_way(OnRod::kBetween, corner(node), along, way, passed);
+  }
+
+  // An end at an edge or corner that the axis is nearest to, and one over a facet beside it: there it has what it
+  // had at the edge, a radius from the edge its whole load.
+  void fade_ends(size_t ends)
+  {
+    for (size_t k = ends; k < contacts_.size(); k++) {
+      if (!is_nearest(k)) continue;
+      for (size_t n = 0; n < ends; n++) {
+        SurfaceContact &end = contacts_[n];
+        if (end.distance < 0.0 || !(end.weight > 0.0)) continue;
+        const double kept = kept_of_end(end.normal, end.along);
+        // Wholly within half a radius along the axis, not from a radius on.
+        const double apart = std::fabs(contacts_[k].along - end.along) / rod_.radius;
+        const double beside = std::clamp(2.0 - 2.0 * apart, 0.0, 1.0);
+        end.weight *= 1.0 - beside * (1.0 - kept) * (1.0 - way_from(contacts_[k], end));
+      }
+    }
+  }
+  // Of an end's foot from the edge, over the radius: 0 at it, 1 from a radius on or anywhere else.
+  double way_from(const SurfaceContact &between, const SurfaceContact &end) const
+  {
+    if (are_at_one_edge(between, end)) return 0.0;
+    if (between.feature != OnSurface::kEdge || end.feature != OnSurface::kFace) return 1.0;
+    const SurfaceEdge &edge = surface_.edges()[between.index];
+    for (const TrianglePart &side : edge.beside)
+      if (surface_.facet(side.triangle) == surface_.facet(end.triangle))
+        return std::clamp(
+            dot(end.on_surface(axis_) - surface_.node(edge.nodes[0]), inwards_of(side)) /
+                rod_.radius,
+            0.0, 1.0);
+    return 1.0;
   }
 
   // How far two contacts are one, 0 to 1: by their distance along the axis, and by their normals.

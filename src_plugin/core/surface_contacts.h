@@ -53,23 +53,24 @@ struct NearFeatures {
 // Once the triangles are known. They may move after that, as one body.
 void group_facets(const TriangleSurface &surface, NearFeatures &near);
 
-// A rod is on the side of a face where it was while it touched it, or a neighbour of it, in the last step;
-// else where its end is; of a pierced facet where its centre is.
+// A rod is on the side of a face where it was while it touched it, or one that it meets smoothly, in the
+// last step; else where its end is; of a pierced facet where its centre is.
 //
 // Contacts are the places where the surface is nearest to an end, or to the axis between its ends:
 //   ends     over a face (its foot in the triangle), at an edge or a corner that stands out towards it;
-//            an end in a valley has one for each side; a face behind another has none;
+//            an end in a valley has one for each side; a face whose foot the end does not see has none;
 //   between  where the axis passes an edge or a corner that stands out. Over the rim of a facet that the
 //            axis leaves there, also when the rod is nearer to the facet farther in, so that a rod on a
 //            facet smaller than itself rests on its rims as on its ends: less the more it tilts (none
 //            from half the edge's turn on).
-// Weights: an end in a smooth valley shares one load among its facets, by how far its feet are from where
-// these meet. Contacts between the ends that are nearer to each other along the axis than the rod's radius
+// Weights: an end in a smooth valley shares one load among its facets, as their overlaps and as how far its
+// feet are from where these meet; facets that do not meet bear one load as far as those on the way between
+// them bear it. An end at an edge that the axis is nearest to farther in fades out. Contacts between the ends that are nearer to each other along the axis than the rod's radius
 // share one load, all of it where they meet, none from a radius on; over a rim near a place where the surface
 // is nearest, and near an end, they have what is left, so that a contact that comes to an end goes over
 // into that of the end. So loads change
 // continuously with the rod's pose, except where an axis gets parallel to an edge, an end passes the
-// boundary of a sharp valley, or normals turn at once.
+// boundary of a sharp valley, a face comes into sight, or normals turn at once.
 void find_contacts(const Capsule &rod, const TriangleSurface &surface, const NearFeatures &near,
                    const std::vector<RememberedSide> &remembered,
                    std::vector<SurfaceContact> &contacts);
