@@ -236,7 +236,7 @@ TEST(HostStyleValues, RefusedInOtherWords)
 {
   for (const char *commands :
        {"write_dump all image file.ppm radius type", "write_dump all atom/vtk file.vtk",
-        "fix m all mesh/surface/stress/servo file plane.stl type 1",
+        "fix m all mesh/surface/stress/liquidtransfer file plane.stl type 1",
         "thermo_style custom step erotate"}) {
     const DeckFolder folder;
     folder.write("plane.stl", kPlane);

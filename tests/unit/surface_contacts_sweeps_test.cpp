@@ -318,8 +318,8 @@ TEST_P(SurfaceSweep, LoadDoesNotJump)
     }
   }
   const double known = known_jump(sweep.name);
-  if (known == 0.0) EXPECT_EQ(count, 0) << "the largest:" << jumps;
   EXPECT_LE(worst, known) << "the largest of " << count << ":" << jumps;
+  EXPECT_TRUE(count == 0 || known > 0.0);
 }
 
 // With each step's contacts as the memory of the next the rod, which goes through nothing, has the
