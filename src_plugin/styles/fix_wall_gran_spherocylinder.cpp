@@ -58,6 +58,7 @@ FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments 
     rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane (got no primitive wall)", id);
   arguments_.others.clear();  // the deck's line is not kept
   restart_global = has_variable();
+  rod_wall_ = dynamic_cast<RodWall *>(impl);
   begin_meshes();
   if (!primitiveWall_) return;
   const double radius = wall_parameters(*primitiveWall_)[0];
@@ -302,7 +303,6 @@ void FixWallGranSpherocylinder::begin_meshes()
   if (!is_mesh_wall()) return;
   for (int m = 0; m < n_meshes(); m++)
     meshes_.push_back({MeshSurface(*mesh_list()[m]), RodsNearMesh(lmp)});
-  rod_wall_ = dynamic_cast<RodWall *>(impl);
   mesh_histories_.keep(history_values());
   restart_peratom = 1;
   create_attribute = 1;
