@@ -76,7 +76,7 @@ def press(side=0.1) -> list[np.ndarray]:
     return quad((-h, -h, 0), (h, -h, 0), (h, h, 0), (-h, h, 0))
 
 
-def blade(radius=0.055, height=0.03, thickness=0.004, foot=0.004) -> list[np.ndarray]:
+def blade(radius=0.048, height=0.03, thickness=0.004, foot=0.004) -> list[np.ndarray]:
     """A paddle across the z axis: a closed box, pitched by 45 degrees."""
     corners = np.array([(x, y, z) for x in (-radius, radius) for y in (-0.5, 0.5) for z in (0, 1)],
                        float) * (1.0, thickness, height)
