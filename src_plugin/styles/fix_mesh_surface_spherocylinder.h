@@ -2,10 +2,14 @@
 #ifndef LMP_FIX_MESH_SURFACE_SPHEROCYLINDER_H
 #define LMP_FIX_MESH_SURFACE_SPHEROCYLINDER_H
 
+#include <algorithm>
 #include <vector>
 
 #include "atom.h"
 #include "fix_mesh_surface.h"
+#include "fix_wall_gran.h"
+#include "host/rod_error.h"
+#include "modify.h"
 
 namespace LAMMPS_NS {
 
@@ -14,6 +18,22 @@ namespace LAMMPS_NS {
 class FixMeshSurfaceSpherocylinder : public FixMeshSurface {
  public:
   using FixMeshSurface::FixMeshSurface;
+
+  // LIGGGHTS tells by its contact history of the mesh, which walls of rods do not have.
+  void pre_delete(bool unfixflag) override
+  {
+    for (int k = 0; unfixflag && k < modify->nfix; k++) {
+      auto *wall = dynamic_cast<FixWallGran *>(modify->fix[k]);
+      if (!wall || !wall->is_mesh_wall()) continue;
+      FixMeshSurface **const meshes = wall->mesh_list();
+      if (std::find(meshes, meshes + wall->n_meshes(), this) != meshes + wall->n_meshes())
+        rod_error_all(lmp,
+                      "Fix %s (id %s): can not unfix while fix wall/gran (id %s) is active on the "
+                      "mesh: unfix that first",
+                      style, id, wall->id);
+    }
+    FixMeshSurface::pre_delete(unfixflag);
+  }
 
   void init() override
   {

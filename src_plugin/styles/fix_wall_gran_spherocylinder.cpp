@@ -302,6 +302,11 @@ void FixWallGranSpherocylinder::begin_meshes()
 {
   if (!is_mesh_wall()) return;
   for (int m = 0; m < n_meshes(); m++)
+    if (std::find(mesh_list(), mesh_list() + m, mesh_list()[m]) != mesh_list() + m)
+      rod_error_all(lmp,
+                    "Fix wall/gran (id %s): mesh %s is named twice, its contacts would bear twice",
+                    id, mesh_list()[m]->id);
+  for (int m = 0; m < n_meshes(); m++)
     meshes_.push_back({MeshSurface(*mesh_list()[m]), RodsNearMesh(lmp)});
   mesh_histories_.keep(history_values());
   restart_peratom = 1;

@@ -581,6 +581,30 @@ TEST(MeshInput, WarnsOfARodAcrossAFace)
   }
 }
 
+// The wall needs its mesh: unfixing it alone is told, and so is a mesh that is named twice.
+TEST(MeshInput, TellsOfAMeshThatIsTakenAwayOrNamedTwice)
+{
+  Scene scene;
+  scene.rods = {Rod()};
+  scene.rods[0].position.z = 0.01;
+  scene.files["sheet.stl"] =
+      stl(tiled({{-0.5, -0.5, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, 2, 2));
+  scene.dt = 1e-6;
+  const std::string sheet = kMaterial + mesh_fix("sheet", "sheet.stl");
+  scene.physics = sheet + mesh_wall("wall", kModels, {"sheet"}) + kMotion;
+  const DeckFolder taken;
+  const Outcome outcome = run_deck(taken, scene, "run 10\nunfix sheet\nrun 10\n");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.output.find("can not unfix while fix wall/gran (id wall) is active"),
+            std::string::npos)
+      << outcome.output;
+  scene.physics = sheet + mesh_wall("wall", kModels, {"sheet", "sheet"}) + kMotion;
+  const DeckFolder twice;
+  const Outcome named = run_deck(twice, scene, "run 10\n");
+  EXPECT_NE(named.exit_code, 0);
+  EXPECT_NE(named.output.find("mesh sheet is named twice"), std::string::npos) << named.output;
+}
+
 // One triangle alone, a closed box with a face missing, and triangles that cross each other are meshes.
 TEST(MeshInput, OpenAndCrossingMeshesAreAccepted)
 {
