@@ -40,8 +40,6 @@ void MeshGatherer::begin(const FixWallGran &fix, const MeshSurface &mesh, int nu
 void MeshGatherer::take_before()
 {
   before_.clear();
-  remembered_.clear();
-  triangles_before_.clear();
   MeshHistories::Contacts &kept = histories_->of(rod_);
   for (size_t k = 0; k < kept.size();) {
     if (kept[k].mesh != number_) {
@@ -51,6 +49,13 @@ void MeshGatherer::take_before()
     before_.push_back(std::move(kept[k]));
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
   }
+}
+
+// Where they were, in the triangles of now.
+void MeshGatherer::remember()
+{
+  remembered_.clear();
+  triangles_before_.clear();
   for (const MeshHistories::Contact &contact : before_) {
     triangles_before_.push_back(
         contact.topology == mesh_->topology()
@@ -67,6 +72,7 @@ int MeshGatherer::find(const RodsNearMesh::Near &near, ContactLaw &law)
   rod_ = near.rod;
   capsule_ = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(rod_);
   take_before();
+  remember();
   find_contacts(capsule_, mesh_->surface(), near.features, remembered_, found_);
   match();
   if (!near.features.pierced.empty() && remembered_.empty()) warn_of_pierced(near.features);

@@ -19,8 +19,8 @@ class FixWallGran;
 // From a rod near a mesh to its contacts with it.
 //
 // A contact goes on as that of the last step at the same place of the rod (either end, or between them)
-// and the same part of the same triangle, else the same triangle, else the same smooth patch, else a neighbouring triangle whose normal does not
-// turn by a right angle: an end that slides from triangle to triangle, also over an edge, keeps its
+// and the same part of the same triangle, else the same triangle, else the same smooth patch, else a
+// neighbouring triangle whose normal does not turn by a right angle: an end that slides from triangle to triangle, also over an edge, keeps its
 // spring, turned into the new tangent plane. Of several the one nearest along the rod.
 class MeshGatherer : protected Pointers {
  public:
@@ -52,10 +52,12 @@ class MeshGatherer : protected Pointers {
   spherocylinder::Capsule capsule_{};
   std::vector<spherocylinder::SurfaceContact> found_;
   std::vector<spherocylinder::RememberedSide> remembered_;
-  MeshHistories::Contacts before_;  // of this mesh
-  std::vector<int> triangles_before_, source_;
+  MeshHistories::Contacts before_;     // of this mesh, in the last step
+  std::vector<int> triangles_before_;  // in surface() now, -1 if not there
+  std::vector<int> source_;  // of each of found_: the one of before_ that it goes on from, or -1
 
   void take_before();
+  void remember();
   void match();
   int agreement(const spherocylinder::SurfaceContact &now, size_t before) const;
   void warn_of_pierced(const spherocylinder::NearFeatures &features);

@@ -41,6 +41,7 @@ void WallLoads::see(const ContactBatch &batch)
   for (int k = 0; k < batch.count; k++) {
     const int i = batch.i[k];
     if (fix_.store_force()) add_to(fix_.fix_wallforce()->array_atom[i], batch.loads.force.get(k));
+    if (!fix_.store_force_contact() && !fix_.store_force_contact_stress()) continue;
     bool is_last = true;
     LIGGGHTS::ContactModels::ForceData total;
     total.reset();

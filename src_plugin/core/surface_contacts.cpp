@@ -16,6 +16,8 @@ namespace {
 // Where features meet, both are asked as far as this (over the rod's radius) beyond their own bounds, so
 // that neither rounding nor the turn of flat facets leaves a gap: what both find is one contact.
 constexpr double kSeam = kFlatTurn;
+// Two seams to either side: places nearer to each other than this many of them are one.
+constexpr double kOnePlace = 4.0;
 
 // Coordinates in a triangle's plane.
 struct Rectangle {
@@ -266,7 +268,8 @@ class Finder {
         SurfaceContact &one = contacts_[a], &other = contacts_[b];
         if (!(one.weight > 0.0) || !(other.weight > 0.0)) continue;
         const Vec3 between = one.on_surface(axis_) - other.on_surface(axis_);
-        if (norm(between) > 4.0 * seam_ || std::fabs(one.along - other.along) > 4.0 * seam_)
+        if (norm(between) > kOnePlace * seam_ ||
+            std::fabs(one.along - other.along) > kOnePlace * seam_)
           continue;
         const bool other_stays =
             other.weight != one.weight ? other.weight > one.weight : other.distance < one.distance;
@@ -290,7 +293,7 @@ class Finder {
     for (const NearFacet &facet : near_.facets[which]) {
       const TriangleShape &shape = surface_.shape(triangles[facet.first]);
       const double before = shape.height(from), behind = shape.height(to);
-      if (before * behind >= 0.0 || std::fabs(behind) <= 4.0 * seam_) continue;
+      if (before * behind >= 0.0 || std::fabs(behind) <= kOnePlace * seam_) continue;
       const Vec3 crossing = from + (before / (before - behind)) * (to - from);
       for (int k = facet.first; k < facet.first + facet.count; k++)
         if (surface_.shape(triangles[k]).holds_foot(crossing, seam_)) return true;
@@ -498,6 +501,7 @@ class Finder {
     }
     for (size_t k = ends; k < count; k++) contacts_[k].weight = shares[k];
   }
+  // Over a rim a contact has less than its whole weight from the start, until share_between().
   bool is_nearest(size_t k) const { return contacts_[k].weight == 1.0; }
 
   // Of the load of a contact between the ends: what those of the ends do not bear already.

@@ -65,12 +65,13 @@ void group_facets(const TriangleSurface &surface, NearFeatures &near);
 //            from half the edge's turn on).
 // Weights: an end in a smooth valley shares one load among its facets, as their overlaps and as how far its
 // feet are from where these meet; facets that do not meet bear one load as far as those on the way between
-// them bear it. An end at an edge that the axis is nearest to farther in fades out. Contacts between the ends that are nearer to each other along the axis than the rod's radius
-// share one load, all of it where they meet, none from a radius on; over a rim near a place where the surface
-// is nearest, and near an end, they have what is left, so that a contact that comes to an end goes over
-// into that of the end. So loads change
-// continuously with the rod's pose, except where an axis gets parallel to an edge, an end passes the
-// boundary of a sharp valley, a face comes into sight, or normals turn at once.
+// them bear it. An end at an edge that the axis is nearest to farther in fades out. Contacts between the ends
+// that are nearer to each other along the axis than the rod's radius share one load, all of it where they
+// meet, none from a radius on; over a rim near a place where the surface is nearest, and near an end, they
+// have what is left, so that a contact that comes to an end goes over into that of the end. So loads change
+// continuously with the rod's pose, except where an axis gets parallel to an edge, an end passes the boundary
+// of a sharp valley, a face comes into sight, or normals turn at once, and by a little where a tilted rod
+// passes a corner or lies nearly along a gentle ridge.
 void find_contacts(const Capsule &rod, const TriangleSurface &surface, const NearFeatures &near,
                    const std::vector<RememberedSide> &remembered,
                    std::vector<SurfaceContact> &contacts);

@@ -22,6 +22,7 @@ struct TriangleShape {
   Vec3 normal;      // unit, by the right hand round the corners; either side may be a rod's
   Vec3 inwards[3];  // unit, in the plane and at right angles to edge k, into the triangle
 
+  Vec3 centre() const { return (1.0 / 3.0) * (corners[0] + corners[1] + corners[2]); }
   // Signed, along the normal (m).
   double height(const Vec3 &point) const { return dot(point - corners[0], normal); }
   // Whether a point's foot in the plane is in the triangle, or no farther beyond an edge than its margin (m).

@@ -30,10 +30,8 @@ bool is_in_valley(const TriangleSurface &surface, const SurfaceEdge &edge, const
   const TriangleShape &one = surface.shape(edge.beside[0].triangle);
   const TriangleShape &other = surface.shape(edge.beside[1].triangle);
   const Vec3 ends[2] = {axis.at(-axis.half_length), axis.at(axis.half_length)};
-  const Vec3 middle = (1.0 / 3.0) * (other.corners[0] + other.corners[1] + other.corners[2]);
-  const double of_other = one.height(middle);  // above the first face where that looks up at it
-  const double of_one =
-      other.height((1.0 / 3.0) * (one.corners[0] + one.corners[1] + one.corners[2]));
+  // Of a valley each face rises above the other, on the side where it is one.
+  const double of_other = one.height(other.centre()), of_one = other.height(one.centre());
   for (const Vec3 &end : ends)
     if (!(one.height(end) * of_other > 0.0) || !(other.height(end) * of_one > 0.0)) return false;
   return true;

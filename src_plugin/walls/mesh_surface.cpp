@@ -47,6 +47,7 @@ void MeshSurface::read_corners(std::vector<Corners> &corners) const
 void MeshSurface::read()
 {
   TriMesh &mesh = *fix_->triMesh();
+  find_velocities();
   std::vector<int> ids(mesh.sizeLocal() + mesh.sizeGhost());
   for (size_t t = 0; t < ids.size(); t++) ids[t] = mesh.id(static_cast<int>(t));
   std::vector<Corners> corners;
@@ -68,13 +69,20 @@ void MeshSurface::read()
     for (size_t t = 0; t < ids_.size(); t++) triangles_.emplace(ids_[t], static_cast<int>(t));
     surface_ = TriangleSurface(corners_, std::acos(std::min(1.0, cosine_of_curvature(mesh))));
   }
-  make_trees();
+  make_trees(true);
   kept_ = corners_;
   shift_ = 0.0;
 }
 
+// Once a step, not at each contact: a mover brings them when it begins to move.
+void MeshSurface::find_velocities()
+{
+  velocities_ = fix_->triMesh()->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
+}
+
 void MeshSurface::follow()
 {
+  find_velocities();
   if (!fix_->triMesh()->isMoving()) return;
   std::vector<Corners> corners;
   read_corners(corners);
@@ -94,10 +102,10 @@ void MeshSurface::keep_place()
   version_++;
   kept_ = corners_;
   shift_ = 0.0;
-  make_trees();
+  make_trees(false);
 }
 
-void MeshSurface::make_trees()
+void MeshSurface::make_trees(bool are_new)
 {
   std::vector<Box> triangles, edges, corners;
   for (const Corners &c : corners_)
@@ -106,9 +114,15 @@ void MeshSurface::make_trees()
     edges.push_back(around(surface_.node(edge.nodes[0]), surface_.node(edge.nodes[1])));
   for (const int corner : surface_.corner_nodes())
     corners.push_back(around(surface_.node(corner), surface_.node(corner)));
-  triangle_boxes_ = BoxTree(triangles);
-  edge_boxes_ = BoxTree(edges);
-  corner_boxes_ = BoxTree(corners);
+  const auto put = [are_new](BoxTree &tree, const std::vector<Box> &boxes) {
+    if (are_new)
+      tree = BoxTree(boxes);
+    else
+      tree.move_to(boxes);
+  };
+  put(triangle_boxes_, triangles);
+  put(edge_boxes_, edges);
+  put(corner_boxes_, corners);
 }
 
 int MeshSurface::triangle_of(int id, const Vec3 &point) const
@@ -117,8 +131,7 @@ int MeshSurface::triangle_of(int id, const Vec3 &point) const
   double nearest_distance = 0.0;
   const auto range = triangles_.equal_range(id);
   for (auto found = range.first; found != range.second; ++found) {
-    const Corners &c = corners_[found->second];
-    const double distance = norm_squared((1.0 / 3.0) * (c[0] + c[1] + c[2]) - point);
+    const double distance = norm_squared(surface_.shape(found->second).centre() - point);
     if (nearest >= 0 && distance >= nearest_distance) continue;
     nearest = found->second;
     nearest_distance = distance;
@@ -128,10 +141,8 @@ int MeshSurface::triangle_of(int id, const Vec3 &point) const
 
 Vec3 MeshSurface::velocity(int triangle, const Vec3 &point) const
 {
-  auto *container =
-      fix_->triMesh()->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
-  if (!container) return kZero;
-  double **of_corners = container->begin()[triangle];
+  if (!velocities_) return kZero;
+  double **of_corners = velocities_->begin()[triangle];
   const std::array<double, 3> weights = barycentric(surface_.shape(triangle), point);
   return weights[0] * load(of_corners[0]) + weights[1] * load(of_corners[1]) +
          weights[2] * load(of_corners[2]);

@@ -10,6 +10,8 @@
 namespace LAMMPS_NS {
 
 class FixMeshSurface;
+template <typename T, int NUM_VEC, int LEN_VEC>
+class MultiVectorContainer;
 
 // LIGGGHTS's mesh as rods meet it: the triangles that this rank owns and those near them (ghosts), as one
 // surface, with their velocities.
@@ -54,11 +56,14 @@ class MeshSurface {
   std::unordered_multimap<int, int> triangles_;  // by id
   spherocylinder::TriangleSurface surface_;
   spherocylinder::BoxTree triangle_boxes_, edge_boxes_, corner_boxes_;
+  MultiVectorContainer<double, 3, 3> *velocities_ = nullptr;  // LIGGGHTS's; null of a mesh at rest
   double shift_ = 0.0, step_ = 0.0;
   int version_ = 0, topology_ = 0;
 
+  void find_velocities();
   void read_corners(std::vector<spherocylinder::Corners> &corners) const;
-  void make_trees();
+  // Of a surface that is the same elsewhere the trees stay as they are, or all are new.
+  void make_trees(bool are_new);
 };
 
 }  // namespace LAMMPS_NS

@@ -13,6 +13,7 @@
 #include "claim.h"
 #include "mesh_files.h"
 #include "scene.h"
+#include "stock_spheres.h"
 
 using namespace decks;
 
@@ -380,21 +381,6 @@ std::vector<Rod> balls_over_a_block()
   return balls;
 }
 
-std::string granular_data(const std::vector<Rod> &balls)
-{
-  std::string atoms, velocities;
-  for (size_t i = 0; i < balls.size(); i++) {
-    const Rod &b = balls[i];
-    atoms += fmt::format("{} 1 {} {} {} {} {}\n", i + 1, b.diameter, b.density, b.position.x,
-                         b.position.y, b.position.z);
-    velocities += fmt::format("{} {} {} {} {} {} {}\n", i + 1, b.velocity.x, b.velocity.y,
-                              b.velocity.z, b.omega.x, b.omega.y, b.omega.z);
-  }
-  return fmt::format("balls\n\n{} atoms\n1 atom types\n-1 1 xlo xhi\n-1 1 ylo yhi\n-1 1 zlo zhi\n\n"
-                     "Atoms\n\n{}\nVelocities\n\n{}",
-                     balls.size(), atoms, velocities);
-}
-
 std::string ball_deck(bool stock, const std::string &models)
 {
   const char *surface = stock ? "default" : "spherocylinder";
@@ -436,7 +422,7 @@ TEST_P(MeshSphereLimit, IsStockLiggghtsOnTheSameMesh)
   ours.write("block.stl", block);
   stock.write("block.stl", block);
   ours.write("balls.data", data_file(scene));
-  stock.write("balls.data", granular_data(scene.rods));
+  stock.write("balls.data", granular_data_file(scene.rods, -1.0, 1.0));
   ours.write("in.balls", ball_deck(false, GetParam().words));
   stock.write("in.balls", ball_deck(true, GetParam().words));
   const Outcome our_outcome = ours.run("in.balls");

@@ -12,6 +12,7 @@
 
 #include "claim.h"
 #include "scene.h"
+#include "stock_spheres.h"
 
 using namespace decks;
 
@@ -43,22 +44,6 @@ std::vector<Rod> balls()
     all.push_back(ball);
   }
   return all;
-}
-
-// LIGGGHTS's granular data format has no length and no axis.
-std::string granular_data_file(const std::vector<Rod> &all)
-{
-  std::string atoms, velocities;
-  for (size_t i = 0; i < all.size(); i++) {
-    const Rod &b = all[i];
-    atoms += fmt::format("{} 1 {} {} {} {} {}\n", i + 1, b.diameter, b.density, b.position.x,
-                         b.position.y, b.position.z);
-    velocities += fmt::format("{} {} {} {} {} {} {}\n", i + 1, b.velocity.x, b.velocity.y,
-                              b.velocity.z, b.omega.x, b.omega.y, b.omega.z);
-  }
-  return fmt::format("balls\n\n{} atoms\n1 atom types\n0 0.06 xlo xhi\n0 0.06 ylo yhi\n"
-                     "0 0.06 zlo zhi\n\nAtoms\n\n{}\nVelocities\n\n{}",
-                     all.size(), atoms, velocities);
 }
 
 // Everything any of the models may ask for.
@@ -126,7 +111,7 @@ TEST_P(SphereLimit, MovesAsInStockLiggghts)
   }
   ours.write("balls.data", data_file(scene));
   ours.write("in.balls", deck_for(false, GetParam().words));
-  stock.write("balls.data", granular_data_file(all));
+  stock.write("balls.data", granular_data_file(all, 0.0, 0.06));
   stock.write("in.balls", deck_for(true, GetParam().words));
 
   const Outcome our_outcome = ours.run("in.balls");
