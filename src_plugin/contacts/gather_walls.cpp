@@ -2,6 +2,7 @@
 #include "contacts/gather_walls.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "atom.h"
 #include "contacts/rod_kinds.h"
@@ -26,8 +27,10 @@ double LAMMPS_NS::coupling_of_ends(const RodEnds &ends, double radius,
   return shared * mass_coupling(inverse, ends.arms[0], one.normal, ends.arms[1], other.normal);
 }
 
-void WallGatherer::begin(const FixWallGran &fix, bool effective_mass, bool types_are_kinds)
+void WallGatherer::begin(const FixWallGran &fix, bool effective_mass, bool spread,
+                         bool types_are_kinds)
 {
+  spread_ = spread;
   types_are_kinds_ = types_are_kinds;
   fix_ = &fix;
   wall_type_ = fix.atom_type_wall();
@@ -39,10 +42,44 @@ Capsule WallGatherer::capsule(int i) const
   return static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(i);
 }
 
+InverseInertia WallGatherer::inverse_of(int i) const
+{
+  return {1.0 / atom->rmass[i], turning_ / atom->inertia[i][0]};
+}
+
 WallGatherer::Inertia WallGatherer::inertia_of(const RodEnds &ends, double radius, int i) const
 {
-  const InverseInertia inverse = {1.0 / atom->rmass[i], turning_ / atom->inertia[i][0]};
+  const InverseInertia inverse = inverse_of(i);
   return {inverse, turning_ * coupling_of_ends(ends, radius, inverse)};
+}
+
+int WallGatherer::add_contact(ContactBatch &batch, const MovingWall &wall, int i,
+                              const Capsule &rod, const Vec3 &arm, const EndContact &contact,
+                              const InverseInertia &inverse, double *history) const
+{
+  ContactArms &arms = batch.arms;
+  const int k = batch.count++;
+  batch.i[k] = i;
+  batch.j[k] = -1;
+  batch.type_i[k] = atom->type[i];
+  batch.type_j[k] = wall_type_;
+  batch.kind[k] = types_are_kinds_ ? atom->type[i] : RodKinds::kNone;
+  batch.end[k] = 0;
+  batch.flags[k] = nullptr;
+  batch.history[k] = history;
+  arms.arm_i.set(k, arm);
+  arms.velocity_i.set(k, load(atom->v[i]));
+  arms.velocity_j.set(k, wall.velocity_at(contact, rod.segment.centre + arm));
+  arms.omega_i.set(k, load(atom->omega[i]));
+  arms.inverse_mass_i[k] = inverse.mass;
+  arms.inverse_inertia_i[k] = inverse.transverse;
+  arms.radius_i[k] = rod.radius;
+  arms.normal.set(k, contact.normal);
+  arms.distance[k] = contact.distance;
+  arms.overlap[k] = rod.radius - contact.distance;
+  arms.mass_share[k] = 1.0;
+  arms.side.set(k, kZero);
+  return k;
 }
 
 void WallGatherer::add_end(ContactBatch &batch, const MovingWall &wall, int i, int end,
@@ -51,39 +88,33 @@ void WallGatherer::add_end(ContactBatch &batch, const MovingWall &wall, int i, i
 {
   const Vec3 &arm = ends.arms[end];
   const EndContact &contact = ends.contacts[end];
-  ContactArms &arms = batch.arms;
-  const int k = batch.count++;
-  batch.i[k] = i;
-  batch.j[k] = -1;
-  batch.type_i[k] = atom->type[i];
-  batch.type_j[k] = wall_type_;
-  batch.kind[k] = types_are_kinds_ ? atom->type[i] : RodKinds::kNone;
+  const int k = add_contact(batch, wall, i, rod, arm, contact, inertia.inverse, history);
   batch.end[k] = end;
-  batch.flags[k] = nullptr;
-  batch.history[k] = history;
-  arms.arm_i.set(k, arm);
-  arms.velocity_i.set(k, load(atom->v[i]));
-  arms.velocity_j.set(k, wall.velocity_at(contact, rod.segment.centre + arm));
-  arms.omega_i.set(k, load(atom->omega[i]));
-  arms.inverse_mass_i[k] = inertia.inverse.mass;
-  arms.inverse_inertia_i[k] = inertia.inverse.transverse;
-  arms.radius_i[k] = rod.radius;
-  arms.normal.set(k, contact.normal);
-  arms.distance[k] = contact.distance;
-  arms.overlap[k] = rod.radius - contact.distance;
-  arms.mass_share[k] = 1.0;
-  if (inertia.coupling != 0.0) {
-    const double alone = inverse_effective_mass(inertia.inverse, arm, contact.normal);
-    arms.mass_share[k] = alone / (alone + inertia.coupling);
-  }
-  arms.side.set(k, kZero);
+  if (inertia.coupling == 0.0) return;
+  const double alone = inverse_effective_mass(inertia.inverse, arm, contact.normal);
+  batch.arms.mass_share[k] = alone / (alone + inertia.coupling);
 }
 
-void WallGatherer::check_not_at_outside(const WallSurface &surface, int i) const
+bool WallGatherer::add_outside(ContactBatch &batch, const MovingWall &wall, int i,
+                               const Capsule &rod, double *history) const
 {
-  if (surface.gap_of_sphere(load(atom->x[i]), atom->radius[i]) > 0.0) return;
-  rod_error_one(lmp,
-                "Fix wall/gran (id %s): rod %d is outside the cylinder at step " BIGINT_FORMAT
-                "; rods know planes and the inside of cylinders only",
-                fix_->id, atom->tag[i], update->ntimestep);
+  const double nearest = wall.surface.distance_at_outside(rod.segment);
+  if (nearest > rod.radius) return false;
+  if (nearest < 0.0)
+    rod_error_one(
+        lmp,
+        "Fix wall/gran (id %s): the axis of rod %d is across the cylinder at step " BIGINT_FORMAT
+        ": %g below its surface, with its centre outside; wanted a rod inside or outside",
+        fix_->id, atom->tag[i], update->ntimestep, -nearest);
+  const RodContact touch = wall.surface.contact_at_outside(rod, spread_);
+  const double from_axis = std::sqrt(touch.points.distance_squared);
+  const Vec3 arm = touch.points.s * rod.segment.axis;
+  const EndContact contact = {from_axis - wall.surface.radius,
+                              (1.0 / from_axis) * touch.points.delta,
+                              wall.surface.radial(rod.segment.centre + arm)};
+  const int k = add_contact(batch, wall, i, rod, arm, contact, inverse_of(i), history);
+  batch.arms.overlap[k] = touch.overlap;
+  batch.arms.mass_share[k] = touch.share;
+  batch.spread[batch.spread_count++] = {k, touch.sideways, touch.couple_i, touch.couple_j};
+  return true;
 }

@@ -27,15 +27,16 @@ double coupling_of_ends(const RodEnds &ends, double radius,
 
 using EndHistories = std::array<double *, 2>;
 
-// From a rod at a wall to contacts of its ends. A wall is body j: at rest but for its surface, and of
+// From a rod at a wall to contacts of its ends, or to the one with the outside of a cylinder. A wall is body j: at rest but for its surface, and of
 // infinite mass; a spring at it does not turn about the normal.
 class WallGatherer : protected Pointers {
  public:
   explicit WallGatherer(LAMMPS *lmp) : Pointers(lmp) {}
 
-  // At the start of a step. `effective_mass`: whether damping knows of the rod's turning. `types_are_kinds`:
-  // all that a law makes of a rod's material follows from its type.
-  void begin(const FixWallGran &fix, bool effective_mass, bool types_are_kinds);
+  // At the start of a step. `effective_mass`: whether damping knows of the rod's turning. `spread`: whether
+  // contacts with the outside of a cylinder are spread over the rod. `types_are_kinds`: all that a law makes
+  // of a rod's material follows from its type.
+  void begin(const FixWallGran &fix, bool effective_mass, bool spread, bool types_are_kinds);
 
   // Adds the ends of rod i that touch to the batch, which must have room for two. `histories`: of the
   // two ends, null without. `not_touching(end)` is called for the others.
@@ -45,7 +46,8 @@ class WallGatherer : protected Pointers {
   {
     const spherocylinder::Capsule rod = capsule(i);
     if (wall.surface.is_outside(rod.segment.centre)) {
-      check_not_at_outside(wall.surface, i);
+      if (!add_outside(batch, wall, i, rod, histories[0])) not_touching(0);
+      not_touching(1);
       return;
     }
     const RodEnds ends = wall.surface.ends_of(rod);
@@ -62,7 +64,7 @@ class WallGatherer : protected Pointers {
  private:
   const FixWallGran *fix_ = nullptr;
   int wall_type_ = 0;
-  bool types_are_kinds_ = false;
+  bool types_are_kinds_ = false, spread_ = true;
   double turning_ = 1.0;  // share of the rod's turning that damping knows of
 
   struct Inertia {
@@ -74,8 +76,15 @@ class WallGatherer : protected Pointers {
   void add_end(ContactBatch &batch, const MovingWall &wall, int i, int end,
                const spherocylinder::Capsule &rod, const RodEnds &ends, const Inertia &inertia,
                double *history) const;
-  // A rod whose centre is outside of the cylinder must not reach it.
-  void check_not_at_outside(const WallSurface &surface, int i) const;
+  // The contact of a rod outside of a cylinder. False if it does not touch.
+  bool add_outside(ContactBatch &batch, const MovingWall &wall, int i,
+                   const spherocylinder::Capsule &rod, double *history) const;
+  // What does not depend on which part of the rod touches. Returns the contact's place in the batch.
+  int add_contact(ContactBatch &batch, const MovingWall &wall, int i,
+                  const spherocylinder::Capsule &rod, const spherocylinder::Vec3 &arm,
+                  const EndContact &contact, const spherocylinder::InverseInertia &inverse,
+                  double *history) const;
+  spherocylinder::InverseInertia inverse_of(int i) const;
 };
 
 }  // namespace LAMMPS_NS

@@ -63,7 +63,8 @@ void GranularWallSpherocylinder::compute_forces(FixWallGran &fix, const MovingWa
   ContactLaw &law = laws_.chosen();
   const RodKeywords &keywords = laws_.keywords();
   law.begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});
-  gatherer_.begin(fix, keywords.effective_mass, !keywords.linear.aspect_scaling);
+  gatherer_.begin(fix, keywords.effective_mass, keywords.spread_contact,
+                  !keywords.linear.aspect_scaling);
   for (const int i : rods) {
     const EndHistories histories = of_ends(history ? history[i] : nullptr);
     gatherer_.add(batch_, wall, i, histories, [&](int end) {
@@ -115,10 +116,11 @@ void GranularWallSpherocylinder::finish_batch(bool adds_forces, const ContactObs
 {
   laws_.chosen().evaluate(batch_);
   if (batch_.is_mesh) take_weights(batch_);
+  add_spread(batch_);
   if (adds_forces) scatter_walls(batch_, *atom);
   monitor_->see(batch_);
   show(batch_, observers);
-  batch_.count = 0;
+  batch_.count = batch_.spread_count = 0;
 }
 
 void GranularWallSpherocylinder::contacts_ended(int i, double *history)

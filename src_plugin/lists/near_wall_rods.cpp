@@ -29,6 +29,8 @@ bool NearWallRods::is_near(const WallSurface &surface, int i) const
 {
   const Capsule rod = style_of(*atom).capsule(i);
   if (surface.gap_of_sphere(rod.segment.centre, atom->radius[i]) > skin_) return false;
+  if (surface.is_outside(rod.segment.centre))
+    return surface.distance_at_outside(rod.segment) <= rod.radius + skin_;
   const RodEnds ends = surface.ends_of(rod);
   return ends.count == 0 || ends.touch(rod.radius + skin_);
 }
@@ -38,12 +40,14 @@ bool NearWallRods::renew(const WallSurface &surface, const int *candidates, int 
   RodShifts &shifts = style_of(*atom).attached<RodShifts>();
   if (known_ && version_ == shifts.version()) {
     if (count == 0) return false;
-    const double nearer = shifts.farthest(longest_) + norm(surface.point - surface_point_);
+    const double nearer = shifts.farthest(longest_) + norm(surface.point - surface_point_) +
+                          std::fabs(surface.radius - surface_radius_);
     if (nearer <= kUsedOfSkin * skin_) return false;
   }
   shifts.keep_poses();
   version_ = shifts.version();
   surface_point_ = surface.point;
+  surface_radius_ = surface.radius;
 
   double thickest = 0.0;
   longest_ = 0.0;

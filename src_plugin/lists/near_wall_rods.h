@@ -8,7 +8,8 @@
 
 namespace LAMMPS_NS {
 
-// The rods of LIGGGHTS's neighbour list of a wall whose ends are near it.
+// The rods of LIGGGHTS's neighbour list of a wall whose ends are near it; of the outside of a cylinder, those
+// of which any part is.
 //
 // LIGGGHTS lists rods whose bounding spheres are near: in a vessel of some rods' lengths that is
 // nearly all of them. This list keeps those with an end nearer than a skin. It is made anew when
@@ -34,6 +35,7 @@ class NearWallRods : protected Pointers {
   double longest_ = 0.0;                  // half an axis (m)
   int version_ = 0;                       // of the poses that the list was made at
   spherocylinder::Vec3 surface_point_{};  // then
+  double surface_radius_ = 0.0;
   std::vector<int> near_, far_;
 
   bool is_near(const WallSurface &surface, int i) const;

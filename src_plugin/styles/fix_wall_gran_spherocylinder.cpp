@@ -89,9 +89,11 @@ void FixWallGranSpherocylinder::init()
 {
   FixWallGran::init();
   rod_wall_ = dynamic_cast<RodWall *>(impl);
+  if (primitiveWall_) wall_ = moving_wall();
   if (has_variable()) find_variable();
-  if (primitiveWall_) {
-    wall_ = moving_wall();
+  const bool has_size = !(has_variable() && wall_.surface.is_cylinder);
+  if (primitiveWall_ && has_size) {
+    look_at_rods();
     check_cylinder_is_wide_enough();
     check_no_image_is_missed();
   }
@@ -102,16 +104,11 @@ void FixWallGranSpherocylinder::init()
 
 void FixWallGranSpherocylinder::check_cylinder_is_wide_enough() const
 {
-  if (!wall_.surface.is_cylinder) return;
-  double mine = 0.0, thickest = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) mine = std::max(mine, atom->shape[i][0]);
-  MPI_Allreduce(&mine, &thickest, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (thickest >= wall_.surface.radius)
-    rod_error_all(lmp,
+  if (wall_.surface.is_cylinder && thickest_in_ >= wall_.surface.radius)
+    rod_error_one(lmp,
                   "Fix wall/gran (id %s): the cylinder's radius %g must be larger than that of the "
                   "thickest rod (got %g)",
-                  id, wall_.surface.radius, thickest);
+                  id, wall_.surface.radius, thickest_in_);
 }
 
 // LIGGGHTS shows a wall to the rods of the box, not to their images beyond a periodic face.
@@ -139,53 +136,66 @@ void FixWallGranSpherocylinder::check_no_image_is_missed() const
   }
 }
 
-void FixWallGranSpherocylinder::find_variable()
+const char *FixWallGranSpherocylinder::what_varies() const
 {
-  std::string &name = arguments_.position_variable;
-  variable_ = input->variable->find(&name[0]);
-  if (variable_ < 0 || !input->variable->equalstyle(variable_))
-    rod_error_all(lmp,
-                  "Fix wall/gran (id %s): variable %s for the plane's position must be of style "
-                  "equal (got %s)",
-                  id, name.c_str(), variable_ < 0 ? "none of this name" : "another style");
+  return wall_.surface.is_cylinder ? "the cylinder's radius" : "the plane's position";
 }
 
-// The plane goes where the variable is now. It has got there from where it was a step ago.
-void FixWallGranSpherocylinder::move_plane()
+void FixWallGranSpherocylinder::find_variable()
+{
+  std::string &name = arguments_.variable;
+  variable_ = input->variable->find(&name[0]);
+  if (variable_ < 0 || !input->variable->equalstyle(variable_))
+    rod_error_all(lmp, "Fix wall/gran (id %s): variable %s for %s must be of style equal (got %s)",
+                  id, name.c_str(), what_varies(),
+                  variable_ < 0 ? "none of this name" : "another style");
+}
+
+// The wall goes where the variable is now. It has got there from where it was a step ago.
+void FixWallGranSpherocylinder::move_wall()
 {
   modify->clearstep_compute();
-  const double position = input->variable->compute_equal(variable_);
+  const double place = input->variable->compute_equal(variable_);
   modify->addstep_compute(update->ntimestep + 1);
-  if (!std::isfinite(position))
-    rod_error_all(lmp,
-                  "Fix wall/gran (id %s): variable %s for the plane's position must be a number "
-                  "(got %g at step " BIGINT_FORMAT ")",
-                  id, arguments_.position_variable.c_str(), position, update->ntimestep);
+  const bool is_cylinder = wall_.surface.is_cylinder;
+  if (!std::isfinite(place) || (is_cylinder && !(place > 0.0)))
+    rod_error_all(
+        lmp,
+        "Fix wall/gran (id %s): variable %s for %s must be a number%s (got %g at step " BIGINT_FORMAT
+        ")",
+        id, arguments_.variable.c_str(), what_varies(), is_cylinder ? " > 0" : "", place,
+        update->ntimestep);
 
-  const double way = position - position_;
-  if (position_step_ == update->ntimestep - 1) {
+  const double way = place - place_;
+  const bool is_put_there = place_step_ != update->ntimestep - 1;
+  if (!is_put_there) {
     if (thinnest_ > 0.0 && std::fabs(way) > thinnest_)
       rod_error_one(lmp,
-                    "Fix wall/gran (id %s): the plane jumps by %g at step " BIGINT_FORMAT
+                    "Fix wall/gran (id %s): %s jumps by %g at step " BIGINT_FORMAT
                     ", wanted at most the thinnest rod's radius %g a step",
-                    id, way, update->ntimestep, thinnest_);
+                    id, what_varies(), way, update->ntimestep, thinnest_);
     speed_ = way / update->dt;
-  } else if (position_step_ != update->ntimestep || way != 0.0) {
+  } else if (place_step_ != update->ntimestep || way != 0.0) {
     speed_ = 0.0;  // put there between runs
   }
-  position_ = position;
-  position_step_ = update->ntimestep;
+  place_ = place;
+  place_step_ = update->ntimestep;
 
-  wall_parameters(*primitiveWall_)[0] = position;
+  wall_parameters(*primitiveWall_)[0] = place;
   wall_ = moving_wall();
-  if (std::fabs(position - listed_position_) > kUsedOfSkin * neighbor->skin)
+  if (is_cylinder) {
+    if (is_put_there) look_at_rods();
+    check_cylinder_is_wide_enough();
+    check_no_image_is_missed();
+  }
+  if (std::fabs(place - listed_place_) > kUsedOfSkin * neighbor->skin)
     rebuildPrimitiveNeighlist_ = true;
 }
 
 void FixWallGranSpherocylinder::write_restart(FILE *file)
 {
   if (comm->me != 0) return;
-  const double state[] = {position_, speed_, static_cast<double>(position_step_)};
+  const double state[] = {place_, speed_, static_cast<double>(place_step_)};
   const int size = sizeof(state);
   fwrite(&size, sizeof(int), 1, file);
   fwrite(state, 1, size, file);
@@ -195,9 +205,9 @@ void FixWallGranSpherocylinder::restart(char *state)
 {
   if (!has_variable()) return;  // it may have had one when the file was written
   const double *values = reinterpret_cast<const double *>(state);
-  position_ = values[0];
+  place_ = values[0];
   speed_ = values[1];
-  position_step_ = static_cast<bigint>(values[2]);
+  place_step_ = static_cast<bigint>(values[2]);
 }
 
 // LIGGGHTS gives `shear` along the cylinder's axis as a velocity, across it as a rate about the
@@ -222,7 +232,10 @@ MovingWall FixWallGranSpherocylinder::moving_wall() const
     wall.centre = load(centre);
     wall.turning = arguments_.turning * surface.direction;
   }
-  wall.sliding = wall.sliding + speed_ * surface.direction;
+  if (surface.is_cylinder)
+    wall.growing = speed_;
+  else
+    wall.sliding = wall.sliding + speed_ * surface.direction;
   return wall;
 }
 
@@ -237,17 +250,21 @@ void FixWallGranSpherocylinder::pre_neighbor()
 // Rods may have come or gone.
 void FixWallGranSpherocylinder::look_at_rods()
 {
-  thinnest_ = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (i == 0 || atom->shape[i][0] < thinnest_) thinnest_ = atom->shape[i][0];
+  thinnest_ = thickest_in_ = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double radius = atom->shape[i][0];
+    if (i == 0 || radius < thinnest_) thinnest_ = radius;
+    if (primitiveWall_ && atom->mask[i] & groupbit && !wall_.surface.is_outside(load(atom->x[i])))
+      thickest_in_ = std::max(thickest_in_, radius);
+  }
 }
 
 void FixWallGranSpherocylinder::pre_force(int vflag)
 {
-  if (has_variable()) move_plane();
+  if (has_variable()) move_wall();
   if (rebuildPrimitiveNeighlist_) {
     near_rods_.forget();
-    listed_position_ = position_;
+    listed_place_ = place_;
   }
   FixWallGran::pre_force(vflag);
 }

@@ -13,7 +13,7 @@ namespace LAMMPS_NS {
 
 // fix wall/gran of decks with rods: LIGGGHTS's own, but for its loop over all rods whose bounding
 // spheres reach the wall. Of long rods few of them have an end there, and only those are looked at.
-// A plane may move along its normal by a variable, or turn about it.
+// A plane may move along its normal by a variable, or turn about it; a cylinder's radius may be a variable.
 //
 // The style name is LIGGGHTS's; the loader creates this class for rods and LIGGGHTS's own for
 // everything else.
@@ -21,7 +21,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
  public:
   FixWallGranSpherocylinder(LAMMPS *lmp, int narg, char **arg);
   void init() override;
-  // Where a plane with a variable is, and how fast: the first forces of a continued run want its speed.
+  // Where a wall with a variable is, and how fast: the first forces of a continued run want its speed.
   void write_restart(FILE *file) override;
   void restart(char *state) override;
 
@@ -67,18 +67,20 @@ class FixWallGranSpherocylinder : public FixWallGran {
   MeshHistories mesh_histories_;
   bool meshes_may_be_others_ = true;  // LIGGGHTS has spread them over the ranks
 
-  // Of a plane whose position is a variable.
+  // Of a plane whose position, or a cylinder whose radius, is a variable.
   int variable_ = -1;
-  double position_ = 0.0;         // m
-  double speed_ = 0.0;            // along the axis, over the last step (m/s)
-  bigint position_step_ = -2;     // of position_, -2: none yet
-  double listed_position_ = 0.0;  // when LIGGGHTS's list was made (m)
-  double thinnest_ = 0.0;         // radius of a rod of this rank (m)
+  double place_ = 0.0;         // position or radius (m)
+  double speed_ = 0.0;         // of it over the last step (m/s)
+  bigint place_step_ = -2;     // of place_, -2: none yet
+  double listed_place_ = 0.0;  // when LIGGGHTS's list was made (m)
+  double thinnest_ = 0.0,
+         thickest_in_ = 0.0;  // radii of rods of this rank; within the cylinder (m)
 
   FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments arguments);
-  bool has_variable() const { return !arguments_.position_variable.empty(); }
+  bool has_variable() const { return !arguments_.variable.empty(); }
+  const char *what_varies() const;
   void find_variable();
-  void move_plane();
+  void move_wall();
   void look_at_rods();
   MovingWall moving_wall() const;
   void check_shear() const;

@@ -17,7 +17,7 @@ namespace {
 
 bool is_variable(const char *text) { return strncmp(text, "v_", 2) == 0; }
 
-char some_position[] = "0.0";
+char some_position[] = "0.0", some_radius[] = "1.0";
 
 }  // namespace
 
@@ -60,15 +60,15 @@ WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
     if (strcmp(others[k], "primitive") != 0) continue;
     const char *style = others[k + 3];
     const bool is_plane = strlen(style) == 6 && strcmp(style + 1, "plane") == 0;
-    if (is_plane && is_variable(others[k + 4])) {
-      position_variable = others[k + 4] + 2;
-      others[k + 4] = some_position;
+    if (is_variable(others[k + 4])) {
+      variable = others[k + 4] + 2;
+      others[k + 4] = is_plane ? some_position : some_radius;
     }
-    for (size_t m = k + 4; !is_plane && m < k + 7 && m < others.size(); m++)
+    for (size_t m = k + 5; !is_plane && m < k + 7 && m < others.size(); m++)
       if (is_variable(others[m]))
         rod_error_all(lmp,
-                      "Fix wall/gran (id %s): a %s must have a radius and an axis that are numbers "
-                      "(got %s); only the position of a plane may be a variable",
+                      "Fix wall/gran (id %s): a %s must have an axis of two numbers (got %s); its "
+                      "radius may be a variable",
                       arg[0], style, others[m]);
   }
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/capsule.h"
+#include "core/closest_points.h"
+#include "core/spread_contact.h"
 
 namespace LAMMPS_NS {
 
@@ -27,8 +29,8 @@ struct RodEnds {
   }
 };
 
-// A wall that rods can touch with their ends, in numbers: a plane at right angles to a coordinate
-// axis, or the inside of a cylinder along one.
+// A wall in numbers: a plane at right angles to a coordinate axis, or a cylinder along one. A plane and the
+// inside of a cylinder are touched with a rod's ends, the outside of a cylinder anywhere along the rod.
 struct WallSurface {
   bool is_cylinder;
   spherocylinder::Vec3 direction;  // unit: of the plane's normal, or of the cylinder's axis
@@ -46,7 +48,7 @@ struct WallSurface {
   {
     return dot(at - point, direction);
   }
-  // Whether a rod's centre is where no rod of this wall belongs.
+  // Of a rod's centre: the rod is outside of the cylinder then.
   SPHEROCYLINDER_INLINE bool is_outside(const spherocylinder::Vec3 &centre) const
   {
     return is_cylinder && norm_squared(radial(centre)) > radius * radius;
@@ -80,7 +82,30 @@ struct WallSurface {
     return ends;
   }
 
+  // Of the axis of a rod outside of the cylinder from its surface, where it is nearest (m).
+  double distance_at_outside(const spherocylinder::Segment &rod) const
+  {
+    return std::sqrt(closest_points(rod, axis_beside(rod)).distance_squared) - radius;
+  }
+  // Of a rod outside that touches: as with a straight rod of the cylinder's radius, without ends.
+  // `spread`: see spherocylinder::spread_contact.
+  spherocylinder::RodContact contact_at_outside(const spherocylinder::Capsule &rod,
+                                                bool spread) const
+  {
+    const spherocylinder::Segment axis = axis_beside(rod.segment);
+    const spherocylinder::ClosestPoints closest = closest_points(rod.segment, axis);
+    const double reach = rod.radius + radius;
+    if (spread) return spread_contact(rod.segment, axis, reach, closest);
+    return {closest, reach - std::sqrt(closest.distance_squared)};
+  }
+
  private:
+  // As much of the cylinder's axis as the rod can be beside.
+  spherocylinder::Segment axis_beside(const spherocylinder::Segment &rod) const
+  {
+    return {rod.centre - radial(rod.centre), direction, 2.0 * rod.half_length + radius};
+  }
+
   // An end on the cylinder's axis touches nothing.
   SPHEROCYLINDER_INLINE EndContact inside(const spherocylinder::Vec3 &end) const
   {

@@ -418,7 +418,7 @@ INSTANTIATE_TEST_SUITE_P(
             {"nve/spherocylinder (id motion)", "rotation must be exact or plain", "got nothing"}},
         BadInput{"RodsOutsideACylinder",
                  {"zplane 0.0", "zcylinder 0.05 0.08 0.0"},
-                 {"wall/gran (id floor)", "rod 1", "inside of cylinders"}},
+                 {"wall/gran (id floor)", "the axis of rod 1 is across the cylinder"}},
         BadInput{"PrimitiveUnknown", {"zplane 0.0", "zcone 0.0"}, {"wall/gran", "floor"}},
         BadInput{"MeshWall",
                  {"primitive type 1 zplane 0.0", "mesh n_meshes 1 meshes nothing"},
