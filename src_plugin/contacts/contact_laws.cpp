@@ -20,9 +20,12 @@ std::string ContactLaws::read_keywords(int nargs, char **args)
   return models_->read_keywords(keywords_, others);
 }
 
-void ContactLaws::connect()
+void ContactLaws::connect(int threads)
 {
   models_->connect(force->registry, keywords_);
   if (models_->has_tangential()) check_friction(lmp);
-  fast_ = vector_law(lmp, *models_, keywords_);
+  fast_.clear();
+  for (int thread = 0; thread < threads; thread++)
+    if (std::unique_ptr<ContactLaw> law = vector_law(lmp, *models_, keywords_))
+      fast_.push_back(std::move(law));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "contacts/rod_keywords.h"
 #include "contacts/stock_law.h"
@@ -17,16 +18,27 @@ class ContactLaws : private Pointers {
 
   // The words behind the models' names. Returns what is wrong with them, or nothing.
   std::string read_keywords(int nargs, char **args);
-  // At the start of a run.
-  void connect();
+  // At the start of a run, for so many threads.
+  void connect(int threads);
 
   StockLaw &models() { return *models_; }
-  ContactLaw &chosen() { return fast_ ? *fast_ : static_cast<ContactLaw &>(*models_); }
+  ContactLaw &chosen() { return fast_.empty() ? static_cast<ContactLaw &>(*models_) : *fast_[0]; }
+  // The same law of each thread, where it has one: LIGGGHTS's models serve one at a time.
+  ContactLaw &of_thread(int thread) { return thread == 0 ? chosen() : *fast_[thread]; }
+  int number() const { return fast_.empty() ? 1 : static_cast<int>(fast_.size()); }
+  void begin(const LawStep &step)
+  {
+    for (int thread = 0; thread < number(); thread++) of_thread(thread).begin(step);
+  }
+  void end()
+  {
+    for (int thread = 0; thread < number(); thread++) of_thread(thread).end();
+  }
   const RodKeywords &keywords() const { return keywords_; }
 
  private:
   std::unique_ptr<StockLaw> models_;
-  std::unique_ptr<ContactLaw> fast_;  // null where the models serve
+  std::vector<std::unique_ptr<ContactLaw>> fast_;  // one a thread, none where the models serve
   RodKeywords keywords_;
 };
 

@@ -34,24 +34,37 @@ void ContactMonitor::run_begins()
   step_ = -1;
 }
 
-void ContactMonitor::see(const ContactBatch &batch)
+void ContactMonitor::look(const ContactBatch &batch, Seen &seen) const
 {
   const double dt = update->dt;
   // The step is too long where stiffness * threshold > m_eff.
   const double threshold = dt * dt / (4.0 * kWarnedFraction * kWarnedFraction);
+  double largest = seen.deeper.empty() ? largest_overlap_ : seen.deeper.back().over_diameter;
   // A wall's contact is over the diameter, twice the sum of the radii.
-  const double deepest = largest_overlap_ * (batch.is_wall ? 2.0 : 1.0);
+  const double deepest = largest * (batch.is_wall ? 2.0 : 1.0);
   if (!any_deeper_or_stiffer(batch.arms, batch.loads, deepest, threshold, batch.count)) return;
   for (int k = 0; k < batch.count; k++) {
     if (!batch.can_move(k)) continue;
     const int i = batch.i[k];
     if (batch.is_wall && (atom->mask[i] & standing_groups_)) continue;
     const double stiffness = batch.loads.stiffness[k], mass = batch.loads.effective_mass[k];
-    if (stiffness * threshold > mass && !time_step_warned_) warn_time_step(i, stiffness, mass);
+    if (stiffness * threshold > mass && !time_step_warned_ && !seen.stiff)
+      seen.stiff = {i, stiffness, mass};
     const double diameter = batch.is_wall ? 2.0 * batch.arms.radius_i[k] : batch.reach(k);
-    if (batch.arms.overlap[k] > largest_overlap_ * diameter)
-      note_overlap(i, batch.j[k], batch.arms.overlap[k] / diameter);
+    if (batch.arms.overlap[k] <= largest * diameter) continue;
+    largest = batch.arms.overlap[k] / diameter;
+    seen.deeper.push_back({i, batch.j[k], largest});
   }
+}
+
+void ContactMonitor::take(Seen &seen)
+{
+  if (seen.stiff && !time_step_warned_)
+    warn_time_step(seen.stiff->i, seen.stiff->stiffness, seen.stiff->mass);
+  for (const auto &[i, j, overlap] : seen.deeper)
+    if (overlap > largest_overlap_) note_overlap(i, j, overlap);
+  seen.stiff.reset();
+  seen.deeper.clear();
 }
 
 void ContactMonitor::note_overlap(int i, int j, double overlap)

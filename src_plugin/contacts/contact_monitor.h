@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "contacts/contact_observer.h"
 #include "lmptype.h"
 #include "pointers.h"
@@ -16,7 +19,31 @@ class ContactMonitor final : public ContactObserver, private Pointers {
 
   // At the start of each run.
   void run_begins();
-  void see(const ContactBatch &batch) override;
+  void see(const ContactBatch &batch) override
+  {
+    Seen seen;
+    look(batch, seen);
+    take(seen);
+  }
+
+  // The same in two halves, the first for threads that look at batches at once.
+  class Seen {
+    friend class ContactMonitor;
+    struct Overlap {
+      int i, j;
+      double over_diameter;
+    };
+    std::vector<Overlap>
+        deeper;  // each than those before, and than the largest when the step began
+    struct Stiff {
+      int i;
+      double stiffness, mass;
+    };
+    std::optional<Stiff> stiff;  // the first for which the step is too long
+  };
+  void look(const ContactBatch &batch, Seen &seen) const;
+  // In the order of the contacts; leaves it empty.
+  void take(Seen &seen);
 
   // Of any contact of this rank since the run began, walls included, over the (mean) diameter of its rods.
   double largest_overlap() const { return largest_overlap_; }

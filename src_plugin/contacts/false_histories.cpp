@@ -22,19 +22,18 @@ constexpr double kFarthestMove = 0.5;
 void FalseHistories::drop(const TouchingRodPairs &touching, const std::vector<Capsule> &rods,
                           int **flags, double **histories, int dnum, int side_offset)
 {
-  for (int n = 0; n < touching.count(); n++) {
-    const TouchingRodPairs::Touch touch = touching.touch(n);
-    if (!flags[touch.i][touch.index]) continue;
+  touching.for_each([&](const TouchingRodPairs::Touch &touch) {
+    if (!flags[touch.i][touch.index]) return;
     double *history = &histories[touch.i][dnum * touch.index];
     const Vec3 side = load(history + side_offset);
-    if (norm_squared(side) == 0.0) continue;
+    if (norm_squared(side) == 0.0) return;
     const double reach = rods[touch.i].radius + rods[touch.j].radius;
     const double moved = norm(touch.points.delta - remembered_delta(side, reach));
-    if (moved <= kFarthestMove * reach) continue;
+    if (moved <= kFarthestMove * reach) return;
     flags[touch.i][touch.index] = 0;
     std::fill_n(history, dnum, 0.0);
     if (!warned_) warn(touch.i, touch.j);
-  }
+  });
 }
 
 void FalseHistories::warn(int i, int j)

@@ -11,18 +11,27 @@
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
+namespace {
+
+// Of a thread: fewer are read sooner than others are told.
+constexpr int kFewestRods = 200;
+
+}  // namespace
+
 void PairGatherer::read_rod(int i)
 {
   rods_[i] = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(i);
   states_[i] = {load(atom->v[i]), load(atom->omega[i]), rods_[i].segment.axis};
 }
 
-void PairGatherer::read_rods(bool all, const std::vector<int> &ghosts)
+void PairGatherer::read_rods(const RodThreads &threads, bool all, const std::vector<int> &ghosts)
 {
   const int owned = atom->nlocal, nall = owned + atom->nghost;
   rods_.resize(nall);
   states_.resize(nall);
-  for (int i = 0; i < (all ? nall : owned); i++) read_rod(i);
+  threads.run_over(all ? nall : owned, kFewestRods, [this](int first, int last) {
+    for (int i = first; i < last; i++) read_rod(i);
+  });
   if (!all)
     for (const int i : ghosts) read_rod(i);
 }
@@ -101,11 +110,13 @@ void PairGatherer::place_otherwise(ContactBatch &batch, int k, const TouchingRod
     batch.spread[batch.spread_count++] = {k, place.sideways, place.couple_i, place.couple_j};
 }
 
-void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching, int first,
-                        const PairHistories &histories, bool spread)
+void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching,
+                        const TouchingRodPairs::Piece &piece, int first,
+                        const PairHistories &histories, bool spread) const
 {
   ContactArms &arms = batch.arms;
-  batch.count = std::min(kBatch, touching.count() - first);
+  const RodState *states_i[kBatch], *states_j[kBatch];
+  batch.count = std::min(kBatch, piece.first + piece.count - first);
   const bool remember = histories.remember_sides();
   for (int k = 0; k < batch.count; k++) {
     const CloseRodPairs::Entry &pair = touching.pair(first + k);
@@ -114,8 +125,8 @@ void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching, i
     batch.j[k] = j;
     batch.flags[k] = histories.flags_of(i, pair.index);
     batch.history[k] = histories.values_of(i, pair.index);
-    state_i_[k] = &states_[i];
-    state_j_[k] = &states_[j];
+    states_i[k] = &states_[i];
+    states_j[k] = &states_[j];
     arms.side.set(k, remember ? load(batch.history[k] + histories.side) : kZero);
   }
   const int64_t kind_of_all = kinds_.of_all_pairs();
@@ -123,10 +134,10 @@ void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching, i
     for (int k = 0; k < batch.count; k++) set_kind(batch, k);
 
   const ClosestLanes points = touching.lanes(first);
-  std::fill(state_i_ + batch.count, state_i_ + kBatch, state_i_[0]);
-  std::fill(state_j_ + batch.count, state_j_ + kBatch, state_j_[0]);
+  std::fill(states_i + batch.count, states_i + kBatch, states_i[0]);
+  std::fill(states_j + batch.count, states_j + kBatch, states_j[0]);
   batch.spread_count = 0;
-  if (place_at_closest_points(arms, state_i_, state_j_, points, batch.count)) return;
+  if (place_at_closest_points(arms, states_i, states_j, points, batch.count)) return;
   for (int k = 0; k < batch.count; k++)
     if (points.distance_squared[k] == 0.0 || (spread && points.nearly_parallel[k] != 0.0))
       place_otherwise(batch, k, touching.touch(first + k),

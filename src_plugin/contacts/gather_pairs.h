@@ -30,7 +30,7 @@ class PairGatherer : protected Pointers {
   explicit PairGatherer(LAMMPS *lmp) : Pointers(lmp) {}
 
   // Poses and motions of owned rods, and of these ghosts, or of all.
-  void read_rods(bool all, const std::vector<int> &ghosts);
+  void read_rods(const RodThreads &threads, bool all, const std::vector<int> &ghosts);
   // Masses, inertias and kinds of all rods, when rods may have come, gone or changed. Rods of
   // `frozen_groups` do not give way.
   void read_masses(int frozen_groups, bool effective_mass);
@@ -40,10 +40,11 @@ class PairGatherer : protected Pointers {
 
   const std::vector<spherocylinder::Capsule> &rods() const { return rods_; }
 
-  // As many of the touching pairs as a batch holds, from the one numbered `first`. `spread`: nearly
+  // As many of the touching pairs of a piece as a batch holds, from the place `first` on. `spread`: nearly
   // parallel rods are spread over.
-  void fill(ContactBatch &batch, const TouchingRodPairs &touching, int first,
-            const PairHistories &histories, bool spread);
+  void fill(ContactBatch &batch, const TouchingRodPairs &touching,
+            const TouchingRodPairs::Piece &piece, int first, const PairHistories &histories,
+            bool spread) const;
 
  private:
   std::vector<spherocylinder::Capsule> rods_;
@@ -51,9 +52,6 @@ class PairGatherer : protected Pointers {
   // Of the effective mass: zero for a frozen rod, its turning zero with effective_mass off.
   std::vector<spherocylinder::InverseInertia> inverses_;
   RodKinds kinds_;
-  // Of the batch.
-  const spherocylinder::RodState *state_i_[spherocylinder::kBatch],
-      *state_j_[spherocylinder::kBatch];
 
   void read_rod(int i);
   spherocylinder::InverseInertia inverse_of(int i, int frozen_groups, int driven_groups,

@@ -7,13 +7,11 @@
 #include "atom.h"
 #include "comm.h"
 #include "compute_pair_gran_local.h"
-#include "contacts/contact_monitor.h"
 #include "contacts/contact_rows.h"
 #include "contacts/contact_state.h"
 #include "contacts/material_checks.h"
 #include "contacts/observers.h"
 #include "contacts/rod_pair_geometry.h"
-#include "contacts/scatter.h"
 #include "core/five_step_search.h"
 #include "error.h"
 #include "force.h"
@@ -22,6 +20,7 @@
 #include "neigh_list.h"
 #include "pair_gran.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "rods/rod_threads.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -79,7 +78,12 @@ void GranularPairSpherocylinder::init_granular()
   if (parent_->storeContactForces() || parent_->storeContactForcesStress())
     rod_error_all(lmp, "Pair gran with surface spherocylinder stores no contact forces, as fix "
                        "continuum/weighted wants them (expected compute pair/gran/local)");
-  laws_.connect();
+  RodThreads &threads = rods.attached<RodThreads>();
+  if (laws_.keywords().threads > 0) threads.set_count(laws_.keywords().threads);
+  threads.tell();
+  threads_ = &threads;
+  workers_.resize(threads.count());
+  laws_.connect(threads.count());
   highest_type_ = force->registry.max_type();
   side_ = laws_.models().layout().offset_of("rod_normal_x");
   monitor_ = &rods.attached<ContactMonitor>();
@@ -121,13 +125,13 @@ void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool mig
                "pre no)");
   }
   close_pairs_.update(pair, gatherer_.rods(), migrated, [this](bool all) {
-    gatherer_.read_rods(all, close_pairs_.tracked_ghosts());
+    gatherer_.read_rods(*threads_, all, close_pairs_.tracked_ghosts());
   });
   if (migrated) gatherer_.read_masses(pair.freeze_group_bit(), laws_.keywords().effective_mass);
 
   int **flags = pair.listgranhistory ? pair.listgranhistory->firstneigh : nullptr;
   double **values = pair.listgranhistory ? pair.listgranhistory->firstdouble : nullptr;
-  touching_pairs_.find(close_pairs_.entries(), gatherer_.rods(), flags);
+  touching_pairs_.find(*threads_, close_pairs_.entries(), gatherer_.rods(), flags);
   if (side_ >= 0 && (migrated || run_begins))
     false_histories_.drop(touching_pairs_, gatherer_.rods(), flags, values, pair.dnum(), side_);
   close_pairs_.counts().touching = touching_pairs_.count();
@@ -145,11 +149,10 @@ void GranularPairSpherocylinder::compute_force(PairGran *pair, int eflag, int vf
   const NeighList *list = pair->listgranhistory;
   const PairHistories histories = {list ? list->firstneigh : nullptr,
                                    list ? list->firstdouble : nullptr, pair->dnum(), side_};
-  ContactLaw &law = laws_.chosen();
-  law.begin({update->dt, pair->computeflag() != 0, pair->computeflag() && pair->shearupdate()});
+  laws_.begin({update->dt, pair->computeflag() != 0, pair->computeflag() && pair->shearupdate()});
   end_contacts(histories);
   work_out(*pair, histories);
-  law.end();
+  laws_.end();
   sudden_overlaps_.end_step(migrated);
 }
 
@@ -177,31 +180,72 @@ void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &h
     observers.push_back(&rows.emplace(lmp, *wanted));
   }
 
-  ContactLaw &law = laws_.chosen();
-  const bool springs_go_on = pair.computeflag() && pair.shearupdate();
-  for (int first = 0; first < touching_pairs_.count(); first += kBatch) {
-    gatherer_.fill(batch_, touching_pairs_, first, histories, laws_.keywords().spread_contact);
-    law.evaluate(batch_);
-    relative_overlaps(batch_.arms, batch_.depth);
-    add_spread(batch_);
-    look_for_sudden_overlaps();
-    if (springs_go_on && histories.remember_sides()) keep_sides();
-    if (pair.computeflag()) scatter_pairs(batch_, pair, *atom);
-    monitor_->see(batch_);
-    show(batch_, observers);
+  if (observers.empty() && laws_.number() > 1 && touching_pairs_.pieces().size() > 1) {
+    work_out_at_once(pair, histories);
+  } else {
+    // One after the other: observers see contacts in the order of the list.
+    for (size_t piece = 0; piece < touching_pairs_.pieces().size(); piece++)
+      work_out_piece(static_cast<int>(piece), 0, pair, histories, [&](const ContactBatch &batch) {
+        if (pair.computeflag()) scatter_pairs(batch, pair, *atom);
+        show(batch, observers);
+      });
+  }
+  for (Worker &worker : workers_) {
+    monitor_->take(worker.seen);
+    sudden_overlaps_.take(worker.deep);
   }
 }
 
-void GranularPairSpherocylinder::look_for_sudden_overlaps()
+// What a thread does with a piece of the touching pairs. `use(batch)`: with the loads of each batch.
+template <typename Use>
+void GranularPairSpherocylinder::work_out_piece(int piece, int thread, const PairGran &pair,
+                                                const PairHistories &histories, Use use)
 {
-  if (!any_above(batch_.depth, SuddenOverlaps::kWatched, batch_.count)) return;
-  for (int k = 0; k < batch_.count; k++)
-    sudden_overlaps_.look(batch_.i[k], batch_.j[k], batch_.depth[k], batch_.can_move(k));
+  ContactLaw &law = laws_.of_thread(thread);
+  auto &[batch, loads, seen, deep] = workers_[thread];
+  const TouchingRodPairs::Piece &pairs = touching_pairs_.pieces()[piece];
+  const bool springs_go_on = pair.computeflag() && pair.shearupdate();
+  for (int first = pairs.first; first < pairs.first + pairs.count; first += kBatch) {
+    gatherer_.fill(batch, touching_pairs_, pairs, first, histories,
+                   laws_.keywords().spread_contact);
+    law.evaluate(batch);
+    relative_overlaps(batch.arms, batch.depth);
+    add_spread(batch);
+    if (any_above(batch.depth, SuddenOverlaps::kWatched, batch.count))
+      for (int k = 0; k < batch.count; k++)
+        deep.look(batch.i[k], batch.j[k], batch.depth[k], batch.can_move(k));
+    if (springs_go_on && histories.remember_sides()) keep_sides(batch);
+    monitor_->look(batch, seen);
+    use(batch);
+  }
 }
 
-void GranularPairSpherocylinder::keep_sides()
+void GranularPairSpherocylinder::work_out_at_once(PairGran &pair, const PairHistories &histories)
 {
-  for (int k = 0; k < batch_.count; k++)
-    if (batch_.can_move(k))
-      store(remembered_side(batch_.arms.normal.get(k), batch_.depth[k]), batch_.history[k] + side_);
+  const std::vector<TouchingRodPairs::Piece> &pieces = touching_pairs_.pieces();
+  const int number = static_cast<int>(pieces.size()), owned = atom->nlocal;
+  const auto next_rod = [&](int piece) {
+    return piece + 1 < number ? pieces[piece + 1].first_rod : owned;
+  };
+  const bool adds_forces = pair.computeflag() != 0;
+  threads_->run(number, [&](int piece) {
+    PairLoads &loads = workers_[piece].loads;
+    loads.clear();
+    work_out_piece(piece, piece, pair, histories, [&](const ContactBatch &batch) {
+      if (adds_forces) loads.keep(batch, next_rod(piece), owned);
+    });
+  });
+  if (!adds_forces) return;
+  threads_->run(number, [&](int piece) {
+    for (int before = 0; before < piece; before++)
+      workers_[before].loads.add_to_later(pair, *atom, pieces[piece].first_rod, next_rod(piece));
+    workers_[piece].loads.add_to_own(pair, *atom, next_rod(piece));
+  });
+}
+
+void GranularPairSpherocylinder::keep_sides(const ContactBatch &batch) const
+{
+  for (int k = 0; k < batch.count; k++)
+    if (batch.can_move(k))
+      store(remembered_side(batch.arms.normal.get(k), batch.depth[k]), batch.history[k] + side_);
 }

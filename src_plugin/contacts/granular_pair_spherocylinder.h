@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "contacts/contact_batch.h"
 #include "contacts/contact_laws.h"
+#include "contacts/contact_monitor.h"
 #include "contacts/false_histories.h"
 #include "contacts/gather_pairs.h"
+#include "contacts/scatter.h"
 #include "contacts/sudden_overlaps.h"
 #include "granular_pair_style.h"
 #include "lists/close_rod_pairs.h"
@@ -15,7 +17,6 @@
 
 namespace LAMMPS_NS {
 
-class ContactMonitor;
 class ContactState;
 
 // What the stock pair_style gran runs for rods: from the lists to touching pairs, batches of contacts,
@@ -54,8 +55,16 @@ class GranularPairSpherocylinder : private Pointers,
   TouchingRodPairs touching_pairs_;
   FalseHistories false_histories_;
   PairGatherer gatherer_;
-  ContactBatch batch_;
-  ContactMonitor *monitor_ = nullptr;  // these two: attached to the rods
+  // What a thread works with.
+  struct Worker {
+    ContactBatch batch;
+    PairLoads loads;
+    ContactMonitor::Seen seen;
+    SuddenOverlaps::Seen deep;
+  };
+  std::vector<Worker> workers_;
+  const RodThreads *threads_ = nullptr;  // these three: attached to the rods
+  ContactMonitor *monitor_ = nullptr;
   const ContactState *state_ = nullptr;
   SuddenOverlaps sudden_overlaps_;
 
@@ -63,8 +72,11 @@ class GranularPairSpherocylinder : private Pointers,
   void bring_pairs_up_to_date(PairGran &pair, bool migrated);
   void end_contacts(const PairHistories &histories);
   void work_out(PairGran &pair, const PairHistories &histories);
-  void look_for_sudden_overlaps();
-  void keep_sides();
+  template <typename Use>
+  void work_out_piece(int piece, int thread, const PairGran &pair, const PairHistories &histories,
+                      Use use);
+  void work_out_at_once(PairGran &pair, const PairHistories &histories);
+  void keep_sides(const ContactBatch &batch) const;
 };
 
 }  // namespace LAMMPS_NS

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "atom.h"
-#include "contacts/contact_monitor.h"
 #include "contacts/contact_state.h"
 #include "contacts/scatter.h"
 #include "contacts/wall_observers.h"
@@ -13,10 +12,18 @@
 #include "force.h"
 #include "host/rod_error.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "rods/rod_threads.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
+
+namespace {
+
+// Of a thread: fewer are done sooner than others are told.
+constexpr int kFewestRods = 50;
+
+}  // namespace
 
 GranularWallSpherocylinder::GranularWallSpherocylinder(LAMMPS *lmp, FixWallGran *parent,
                                                        std::unique_ptr<StockLaw> models)
@@ -26,22 +33,28 @@ GranularWallSpherocylinder::GranularWallSpherocylinder(LAMMPS *lmp, FixWallGran 
       gatherer_(lmp),
       mesh_gatherer_(lmp)
 {
-  batch_.is_wall = true;
+  workers_.resize(1);
 }
 
 void GranularWallSpherocylinder::settings(int nargs, char **args, LIGGGHTS::IContactHistorySetup *)
 {
-  batch_.is_mesh = parent_->is_mesh_wall();
-  if (batch_.is_mesh) laws_.models().layout().keep_from_host();
+  const bool is_mesh = parent_->is_mesh_wall();
+  if (is_mesh) laws_.models().layout().keep_from_host();
   const std::string wrong = laws_.read_keywords(nargs, args);
   if (!wrong.empty()) error->fix_error(FLERR, parent_, wrong.c_str());
-  if (!batch_.is_mesh) laws_.models().layout().add_other_end();
+  if (!is_mesh) laws_.models().layout().add_other_end();
 }
 
 void GranularWallSpherocylinder::init_granular()
 {
   AtomVecSpherocylinder &rods = rods_of(lmp, "Fix wall/gran with surface spherocylinder");
-  laws_.connect();
+  threads_ = &rods.attached<RodThreads>();
+  laws_.connect(threads_->count());
+  workers_.resize(threads_->count());
+  for (Worker &worker : workers_) {
+    worker.batch.is_wall = true;
+    worker.batch.is_mesh = parent_->is_mesh_wall();
+  }
   monitor_ = &rods.attached<ContactMonitor>();
   state_ = &rods.attached<ContactState>();
 }
@@ -60,20 +73,30 @@ void GranularWallSpherocylinder::compute_forces(FixWallGran &fix, const MovingWa
 {
   const WallObservers observers(lmp, fix, state_->observers(), nullptr);
   const bool adds_forces = fix.computeflag() != 0;
-  ContactLaw &law = laws_.chosen();
   const RodKeywords &keywords = laws_.keywords();
-  law.begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});
+  laws_.begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});
   gatherer_.begin(fix, keywords.effective_mass, keywords.spread_contact,
                   !keywords.linear.aspect_scaling);
-  for (const int i : rods) {
-    const EndHistories histories = of_ends(history ? history[i] : nullptr);
-    gatherer_.add(batch_, wall, i, histories, [&](int end) {
-      if (histories[end]) law.contact_ended(i, -1, nullptr, histories[end]);
-    });
-    if (batch_.count + 2 > kBatch) finish_batch(adds_forces, observers.all());
-  }
-  if (batch_.count > 0) finish_batch(adds_forces, observers.all());
-  law.end();
+  // Observers see contacts in the order of the rods, and LIGGGHTS's models serve one thread.
+  const bool at_once = observers.all().empty() && laws_.number() > 1;
+  const int number = static_cast<int>(rods.size());
+  const int pieces = at_once ? threads_->pieces_of(number, kFewestRods) : 1;
+  threads_->run(pieces, [&](int piece) {
+    ContactLaw &law = laws_.of_thread(piece);
+    ContactBatch &batch = workers_[piece].batch;
+    const int end_of_piece = RodThreads::first_of(piece + 1, pieces, number);
+    for (int n = RodThreads::first_of(piece, pieces, number); n < end_of_piece; n++) {
+      const int i = rods[n];
+      const EndHistories histories = of_ends(history ? history[i] : nullptr);
+      gatherer_.add(batch, wall, i, histories, [&](int end) {
+        if (histories[end]) law.contact_ended(i, -1, nullptr, histories[end]);
+      });
+      if (batch.count + 2 > kBatch) finish_batch(piece, adds_forces, observers.all());
+    }
+    if (batch.count > 0) finish_batch(piece, adds_forces, observers.all());
+  });
+  take_what_was_seen();
+  laws_.end();
 }
 
 void GranularWallSpherocylinder::compute_mesh_forces(FixWallGran &fix, const MeshSurface &mesh,
@@ -87,6 +110,7 @@ void GranularWallSpherocylinder::compute_mesh_forces(FixWallGran &fix, const Mes
   law.begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});
   mesh_gatherer_.begin(fix, mesh, number, histories, keywords.effective_mass,
                        !keywords.linear.aspect_scaling);
+  ContactBatch &batch = workers_[0].batch;
   int next_rod = 0;
   const auto forget_rods_before = [&](int rod) {
     for (; next_rod < rod; next_rod++) mesh_gatherer_.forget(next_rod, law);
@@ -96,13 +120,14 @@ void GranularWallSpherocylinder::compute_mesh_forces(FixWallGran &fix, const Mes
     if (is_new) forget_rods_before(near.rod);
     const int found = mesh_gatherer_.find(near, law);
     for (int first = 0; first < found;) {
-      if (batch_.count > 0 && batch_.count + found - first > kBatch)
-        finish_batch(adds_forces, observers.all());
-      first = mesh_gatherer_.add(batch_, first);
+      if (batch.count > 0 && batch.count + found - first > kBatch)
+        finish_batch(0, adds_forces, observers.all());
+      first = mesh_gatherer_.add(batch, first);
     }
   }
   if (is_new) forget_rods_before(atom->nlocal);
-  if (batch_.count > 0) finish_batch(adds_forces, observers.all());
+  if (batch.count > 0) finish_batch(0, adds_forces, observers.all());
+  take_what_was_seen();
   law.end();
 }
 
@@ -112,15 +137,22 @@ EndHistories GranularWallSpherocylinder::of_ends(double *row)
   return {row, row + laws_.models().layout().values()};
 }
 
-void GranularWallSpherocylinder::finish_batch(bool adds_forces, const ContactObservers &observers)
+void GranularWallSpherocylinder::finish_batch(int thread, bool adds_forces,
+                                              const ContactObservers &observers)
 {
-  laws_.chosen().evaluate(batch_);
-  if (batch_.is_mesh) take_weights(batch_);
-  add_spread(batch_);
-  if (adds_forces) scatter_walls(batch_, *atom);
-  monitor_->see(batch_);
-  show(batch_, observers);
-  batch_.count = batch_.spread_count = 0;
+  auto &[batch, seen] = workers_[thread];
+  laws_.of_thread(thread).evaluate(batch);
+  if (batch.is_mesh) take_weights(batch);
+  add_spread(batch);
+  if (adds_forces) scatter_walls(batch, *atom);
+  monitor_->look(batch, seen);
+  show(batch, observers);
+  batch.count = batch.spread_count = 0;
+}
+
+void GranularWallSpherocylinder::take_what_was_seen()
+{
+  for (Worker &worker : workers_) monitor_->take(worker.seen);
 }
 
 void GranularWallSpherocylinder::contacts_ended(int i, double *history)

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "contacts/contact_batch.h"
 #include "contacts/contact_laws.h"
+#include "contacts/contact_monitor.h"
 #include "contacts/contact_observer.h"
 #include "contacts/gather_mesh.h"
 #include "contacts/gather_walls.h"
@@ -14,8 +14,8 @@
 
 namespace LAMMPS_NS {
 
-class ContactMonitor;
 class ContactState;
+class RodThreads;
 
 // What the stock fix wall/gran runs for rods. Contacts of the two ends of a rod with a plane or the inside
 // of a cylinder: between its ends a straight rod cannot be nearer to either, so the two end spheres are the
@@ -53,13 +53,20 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
   ContactLaws laws_;
   WallGatherer gatherer_;
   MeshGatherer mesh_gatherer_;
-  ContactBatch batch_;
-  ContactMonitor *monitor_ = nullptr;  // these two: attached to the rods
+  // What a thread works with.
+  struct Worker {
+    ContactBatch batch;
+    ContactMonitor::Seen seen;
+  };
+  std::vector<Worker> workers_;
+  const RodThreads *threads_ = nullptr;  // these three: attached to the rods
+  ContactMonitor *monitor_ = nullptr;
   const ContactState *state_ = nullptr;
 
   // Of a rod's row of history: end 0 first.
   EndHistories of_ends(double *row);
-  void finish_batch(bool adds_forces, const ContactObservers &observers);
+  void finish_batch(int thread, bool adds_forces, const ContactObservers &observers);
+  void take_what_was_seen();
 };
 
 }  // namespace LAMMPS_NS

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "host/rod_error.h"
+#include "rods/rod_threads.h"
 
 using namespace LAMMPS_NS;
 
@@ -21,19 +22,33 @@ static double close_skin_of(LAMMPS *lmp, const char *value)
   return skin;
 }
 
+static int threads_of(LAMMPS *lmp, const char *value)
+{
+  char *end = nullptr;
+  const long threads = strtol(value, &end, 10);
+  if (end == value || *end != '\0' || threads < 1 || threads > RodThreads::kMost)
+    rod_error_all(lmp,
+                  "Surface spherocylinder: threads must be a whole number from 1 to %d (got %s)",
+                  RodThreads::kMost, value);
+  return static_cast<int>(threads);
+}
+
 std::vector<char *> RodKeywords::take_from(LAMMPS *lmp, int nargs, char **args)
 {
   std::vector<char *> others;
   *this = RodKeywords();
   for (int k = 0; k < nargs; k++) {
     const bool is_skin = strcmp(args[k], "close_skin") == 0;
-    if (!is_skin && strcmp(args[k], "search") != 0) {
+    const bool is_threads = strcmp(args[k], "threads") == 0;
+    if (!is_skin && !is_threads && strcmp(args[k], "search") != 0) {
       others.push_back(args[k]);
       continue;
     }
     const char *value = ++k < nargs ? args[k] : "nothing";
     if (is_skin)
       close_skin = close_skin_of(lmp, value);
+    else if (is_threads)
+      threads = threads_of(lmp, value);
     else if (strcmp(value, "five_step") == 0 || strcmp(value, "exact") == 0)
       five_step = value[0] == 'f';
     else

@@ -18,6 +18,7 @@ class RodKeywords {
   bool sudden_overlap = false;  // allowed
   double close_skin = 0.0;      // of the close pairs (m), 0: chosen automatically
   bool five_step = false;       // search five_step
+  int threads = 0;              // of a rank, 0: as many as OMP_NUM_THREADS says
   LinearKeywords linear{};      // of model linear
   bool are_all_of_rods = true;  // none of another model was given
 

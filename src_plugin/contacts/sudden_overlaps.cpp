@@ -12,10 +12,14 @@
 
 using namespace LAMMPS_NS;
 
-void SuddenOverlaps::note(int i, int j, double overlap, bool movable)
+void SuddenOverlaps::take(Seen &seen)
 {
-  const int id = atom->tag[i], other_id = atom->tag[j];
-  now_.push_back({std::min(id, other_id), std::max(id, other_id), i, j, overlap, movable});
+  for (const auto &[i, j, overlap, movable] : seen.deep_) {
+    const int id = atom->tag[i], other_id = atom->tag[j];
+    if (!allowed_)
+      now_.push_back({std::min(id, other_id), std::max(id, other_id), i, j, overlap, movable});
+  }
+  seen.deep_.clear();
 }
 
 // All ranks' deep overlaps of the step before, on each rank.

@@ -24,11 +24,27 @@ class SuddenOverlaps : protected Pointers {
   // Whether nothing is watched: keyword of the pair style.
   void allow(bool allowed) { allowed_ = allowed; }
 
-  // At most once a contact and step, of all those above kWatched. `overlap`: over the mean diameter; `movable`: either rod can be moved.
-  void look(int i, int j, double overlap, bool movable)
-  {
-    if (overlap > kWatched && !allowed_) note(i, j, overlap, movable);
-  }
+  // What one thread saw.
+  class Seen {
+   public:
+    // At most once a contact and step, of all those above kWatched. `overlap`: over the mean diameter;
+    // `movable`: either rod can be moved.
+    void look(int i, int j, double overlap, bool movable)
+    {
+      if (overlap > kWatched) deep_.push_back({i, j, overlap, movable});
+    }
+
+   private:
+    friend class SuddenOverlaps;
+    struct Overlap {
+      int i, j;
+      double overlap;
+      bool movable;
+    };
+    std::vector<Overlap> deep_;
+  };
+  // Leaves it empty.
+  void take(Seen &seen);
 
   // Once a step, after its contacts. The very first step of all has none before it. `migrated`: rods
   // may have come from another rank.
@@ -61,7 +77,6 @@ class SuddenOverlaps : protected Pointers {
   bool is_first_ = true;
   std::vector<Deep> now_, before_;
 
-  void note(int i, int j, double overlap, bool movable);
   void gather_before();
   [[noreturn]] void end_run(const Deep &found) const;
 };

@@ -3,9 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
+
+namespace {
+
+// Of a thread: fewer are done sooner than others are told.
+constexpr int kFewestClosePairs = 100;
+
+}  // namespace
 
 void TouchingRodPairs::make_room(size_t close)
 {
@@ -20,72 +28,111 @@ void TouchingRodPairs::make_room(size_t close)
 
 // Both ranks that see a pair across their border must get the same points, to the last bit, and of
 // equally near ones the choice depends on the order: it is that of the rods' ids.
-void TouchingRodPairs::set_batch(size_t start, int count, const std::vector<Capsule> &rods)
+void TouchingRodPairs::Searcher::set(const CloseRodPairs::Entry *entries, int count,
+                                     const std::vector<Capsule> &rods)
 {
-  const CloseRodPairs::Entry *entries = close_->data() + start;
   for (int k = 0; k < count; k++) {
     const Capsule *i = &rods[entries[k].i], *j = &rods[entries[k].j];
     const bool swap = entries[k].swapped;
-    first_[k] = swap ? j : i;
-    second_[k] = swap ? i : j;
-    swapped_[k] = swap;
+    first[k] = swap ? j : i;
+    second[k] = swap ? i : j;
+    swapped[k] = swap;
   }
-  std::fill(first_ + count, first_ + kBatch, first_[0]);
-  std::fill(second_ + count, second_ + kBatch, second_[0]);
-  set_pairs(batch_, first_, second_);
+  std::fill(first + count, first + kBatch, first[0]);
+  std::fill(second + count, second + kBatch, second[0]);
+  set_pairs(batch, first, second);
 }
 
-void TouchingRodPairs::make_certain(int count)
+void TouchingRodPairs::Searcher::make_certain(int count)
 {
   for (int k = 0; k < count; k++) {
-    if (batch_.uncertain[k] == 0.0) continue;
-    spherocylinder::make_certain(batch_, k, first_[k]->segment, second_[k]->segment);
-    batch_.nearly_parallel[k] = 1.0;  // spread_contact is to look for itself
+    if (batch.uncertain[k] == 0.0) continue;
+    spherocylinder::make_certain(batch, k, first[k]->segment, second[k]->segment);
+    batch.nearly_parallel[k] = 1.0;  // spread_contact is to look for itself
   }
 }
 
 // Without a branch a pair: which of the close ones touch is not to be guessed. Each is written behind
 // the last that does.
-void TouchingRodPairs::keep_touching(size_t start, int count, int **contact_flags)
+void TouchingRodPairs::keep_touching(Piece &piece, Searcher &searcher, int start, int count,
+                                     int **contact_flags)
 {
   const CloseRodPairs::Entry *entries = close_->data() + start;
-  int n = count_;
+  const SegmentPairs &batch = searcher.batch;
+  int n = piece.first + piece.count;
   int *of_close = of_close_.data();
   double *s = s_.data(), *t = t_.data(), *x = delta_x_.data(), *y = delta_y_.data(),
          *z = delta_z_.data(), *distance_squared = distance_squared_.data(),
          *nearly_parallel = nearly_parallel_.data();
   for (int k = 0; k < count; k++) {
-    const bool touches = batch_.touches(k);
-    of_close[n] = static_cast<int>(start) + k;
-    s[n] = batch_.s[k];
-    t[n] = batch_.t[k];
-    x[n] = batch_.delta.x[k];
-    y[n] = batch_.delta.y[k];
-    z[n] = batch_.delta.z[k];
-    distance_squared[n] = batch_.distance_squared[k];
-    nearly_parallel[n] = batch_.nearly_parallel[k];
+    const bool touches = batch.touches(k);
+    of_close[n] = start + k;
+    s[n] = batch.s[k];
+    t[n] = batch.t[k];
+    x[n] = batch.delta.x[k];
+    y[n] = batch.delta.y[k];
+    z[n] = batch.delta.z[k];
+    distance_squared[n] = batch.distance_squared[k];
+    nearly_parallel[n] = batch.nearly_parallel[k];
     n += touches;
     const bool is_flagged = contact_flags && contact_flags[entries[k].i][entries[k].index];
-    if (is_flagged & !touches) parted_.push_back(entries[k]);
+    if (is_flagged & !touches) searcher.parted.push_back(entries[k]);
   }
-  count_ = n;
+  piece.count = n - piece.first;
 }
 
-void TouchingRodPairs::find(const std::vector<CloseRodPairs::Entry> &close,
+// Pieces of about as many close pairs, which begin with a rod's first: all pairs with a rod in the place of
+// i are in one.
+void TouchingRodPairs::cut(const RodThreads &threads)
+{
+  const int close = static_cast<int>(close_->size());
+  const int pieces = threads.pieces_of(close, kFewestClosePairs);
+  pieces_.clear();
+  for (int piece = 0, first = 0; piece < pieces; piece++) {
+    first = std::max(first, RodThreads::first_of(piece, pieces, close));
+    while (piece > 0 && first < close && (*close_)[first].i == (*close_)[first - 1].i) first++;
+    const int next_rod = first < close ? (*close_)[first].i : std::numeric_limits<int>::max();
+    pieces_.push_back({first, 0, piece == 0 ? 0 : next_rod});
+  }
+}
+
+void TouchingRodPairs::find_in_piece(Piece &piece, int end, Searcher &searcher,
+                                     const std::vector<Capsule> &rods, int **contact_flags)
+{
+  searcher.parted.clear();
+  for (int start = piece.first; start < end; start += kBatch) {
+    const int count = std::min(kBatch, end - start);
+    searcher.set(close_->data() + start, count, rods);
+    search_(searcher.batch);
+    if (any_above(searcher.batch.uncertain, 0.0, count)) searcher.make_certain(count);
+    swap_pairs(searcher.batch, searcher.swapped);
+    keep_touching(piece, searcher, start, count, contact_flags);
+  }
+}
+
+void TouchingRodPairs::find(const RodThreads &threads,
+                            const std::vector<CloseRodPairs::Entry> &close,
                             const std::vector<Capsule> &rods, int **contact_flags)
 {
   close_ = &close;
-  count_ = 0;
-  parted_.clear();
   make_room(close.size());
-  for (size_t start = 0; start < close.size(); start += kBatch) {
-    const int count = static_cast<int>(std::min<size_t>(kBatch, close.size() - start));
-    set_batch(start, count, rods);
-    search_(batch_);
-    if (any_above(batch_.uncertain, 0.0, count)) make_certain(count);
-    swap_pairs(batch_, swapped_);
-    keep_touching(start, count, contact_flags);
-  }
+  cut(threads);
+  const int pieces = static_cast<int>(pieces_.size());
+  if (searchers_.size() < pieces_.size()) searchers_.resize(pieces);
+  threads.run(pieces, [&](int k) {
+    const int end = k + 1 < pieces ? pieces_[k + 1].first : static_cast<int>(close.size());
+    find_in_piece(pieces_[k], end, searchers_[k], rods, contact_flags);
+  });
+  parted_.clear();
+  for (int k = 0; k < pieces; k++)
+    parted_.insert(parted_.end(), searchers_[k].parted.begin(), searchers_[k].parted.end());
+}
+
+int TouchingRodPairs::count() const
+{
+  int count = 0;
+  for (const Piece &piece : pieces_) count += piece.count;
+  return count;
 }
 
 TouchingRodPairs::Touch TouchingRodPairs::touch(int n) const

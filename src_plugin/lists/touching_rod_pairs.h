@@ -5,6 +5,7 @@
 
 #include "core/closest_points_batch.h"
 #include "lists/close_rod_pairs.h"
+#include "rods/rod_threads.h"
 
 namespace LAMMPS_NS {
 
@@ -25,17 +26,30 @@ class TouchingRodPairs {
 
   // `close` is to stay as it is while they are asked for. `contact_flags`: of LIGGGHTS's history list,
   // null without one.
-  void find(const std::vector<CloseRodPairs::Entry> &close,
+  void find(const RodThreads &threads, const std::vector<CloseRodPairs::Entry> &close,
             const std::vector<spherocylinder::Capsule> &rods, int **contact_flags);
 
-  // In the order of the close pairs.
-  int count() const { return count_; }
+  // What one thread has found: places that follow each other, of pairs with rods from first_rod on, and
+  // below that of the next piece, in the place of i. Pieces and places are in the order of the close pairs.
+  struct Piece {
+    int first, count;
+    int first_rod;
+  };
+  const std::vector<Piece> &pieces() const { return pieces_; }
+  int count() const;
+  // By place.
   const CloseRodPairs::Entry &pair(int n) const { return (*close_)[of_close_[n]]; }
   Touch touch(int n) const;
+  template <typename See>
+  void for_each(See see) const
+  {
+    for (const Piece &piece : pieces_)
+      for (int n = piece.first; n < piece.first + piece.count; n++) see(touch(n));
+  }
   // Pairs that do not touch but still have a contact flag.
   const std::vector<CloseRodPairs::Entry> &parted() const { return parted_; }
 
-  // Those from the one numbered `first`, and whatever stands behind the last up to a whole batch.
+  // Those from the place `first` on, and whatever stands behind the last up to a whole batch.
   spherocylinder::ClosestLanes lanes(int first) const
   {
     return {&s_[first],
@@ -48,22 +62,33 @@ class TouchingRodPairs {
   }
 
  private:
-  Search search_ = spherocylinder::closest_points;
-  spherocylinder::SegmentPairs batch_{};
-  // Of the batch: the rods by their ids' order, and whether that is not the list's.
-  const spherocylinder::Capsule *first_[spherocylinder::kBatch], *second_[spherocylinder::kBatch];
-  spherocylinder::Doubles swapped_{};
+  // What a thread searches with.
+  struct Searcher {
+    spherocylinder::SegmentPairs batch{};
+    // Of the batch: the rods by their ids' order, and whether that is not the list's.
+    const spherocylinder::Capsule *first[spherocylinder::kBatch], *second[spherocylinder::kBatch];
+    spherocylinder::Doubles swapped{};
+    std::vector<CloseRodPairs::Entry> parted;
 
+    void set(const CloseRodPairs::Entry *entries, int count,
+             const std::vector<spherocylinder::Capsule> &rods);
+    void make_certain(int count);
+  };
+
+  Search search_ = spherocylinder::closest_points;
+  std::vector<Searcher> searchers_;
   const std::vector<CloseRodPairs::Entry> *close_ = nullptr;
-  int count_ = 0;
-  std::vector<int> of_close_;  // and of each the numbers of its touch, longer than count_
+  std::vector<Piece> pieces_;
+  std::vector<int>
+      of_close_;  // and of each the numbers of its touch, a batch longer than the close pairs
   std::vector<double> s_, t_, delta_x_, delta_y_, delta_z_, distance_squared_, nearly_parallel_;
   std::vector<CloseRodPairs::Entry> parted_;
 
   void make_room(size_t close);
-  void set_batch(size_t start, int count, const std::vector<spherocylinder::Capsule> &rods);
-  void make_certain(int count);
-  void keep_touching(size_t start, int count, int **contact_flags);
+  void cut(const RodThreads &threads);
+  void find_in_piece(Piece &piece, int end, Searcher &searcher,
+                     const std::vector<spherocylinder::Capsule> &rods, int **contact_flags);
+  void keep_touching(Piece &piece, Searcher &searcher, int start, int count, int **contact_flags);
 };
 
 }  // namespace LAMMPS_NS

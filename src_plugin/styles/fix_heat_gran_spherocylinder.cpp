@@ -89,20 +89,19 @@ void FixHeatGranSpherocylinder::post_force(int)
   const TouchingRodPairs *pairs = rods_->attached<ListsInUse>().touching_pairs;
   if (!pairs) return;
   const int nlocal = atom->nlocal, *mask = atom->mask;
-  for (int n = 0; n < pairs->count(); n++) {
-    const TouchingRodPairs::Touch touch = pairs->touch(n);
+  pairs->for_each([&](const TouchingRodPairs::Touch &touch) {
     const int i = touch.i, j = touch.j;
-    if (!((mask[i] | mask[j]) & groupbit)) continue;
+    if (!((mask[i] | mask[j]) & groupbit)) return;
     const double area = contact_area(i, j, touch.distance);
     const double flux = (Temp[j] - Temp[i]) * conductance(i, j, area);
     double directed[3];
     for (int d = 0; d < 3; d++) directed[d] = flux * (atom->x[i][d] - atom->x[j][d]);
     add_flux(i, flux, directed);
     add_contact(i, area);
-    if (j >= nlocal) continue;
+    if (j >= nlocal) return;
     add_flux(j, -flux, directed);
     add_contact(j, area);
-  }
+  });
   if (!store_contact_data_) return;
   for (int i = 0; i < nlocal; i++)
     if (n_conduction_contacts_[i] > 0.0) conduction_contact_area_[i] /= n_conduction_contacts_[i];

@@ -9,9 +9,17 @@
 #include "core/rotation.h"
 #include "host/rod_error.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "rods/rod_threads.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
+
+namespace {
+
+// Of a thread: fewer are moved sooner than others are told.
+constexpr int kFewestRods = 100;
+
+}  // namespace
 
 FixNVESpherocylinder::FixNVESpherocylinder(LAMMPS *lmp, int narg, char **arg)
     : FixNVE(lmp, narg, arg)
@@ -26,7 +34,7 @@ FixNVESpherocylinder::FixNVESpherocylinder(LAMMPS *lmp, int narg, char **arg)
       rod_error_all(lmp, "Fix %s (id %s): rotation must be exact or plain (got %s)", style, id,
                     value);
   }
-  rods_of(lmp, "Fix nve/spherocylinder");
+  threads_ = &rods_of(lmp, "Fix nve/spherocylinder").attached<RodThreads>();
   time_integrate = 1;
 }
 
@@ -43,26 +51,28 @@ void FixNVESpherocylinder::setup(int)
 }
 
 // The loop over the rods that both halves of a step share: `move(i)` gives rod i's new angular
-// momentum, `finish(count)` ends a batch.
+// momentum, `finish(batch)` ends a batch.
 template <typename Move, typename Finish>
 void FixNVESpherocylinder::for_each_batch(Move move, Finish finish)
 {
   const int *mask = atom->mask;
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   double **inertia = atom->inertia, **quaternion = atom->quaternion, **angmom = atom->angmom;
-  int count = 0;
-  for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
-    move(i);
-    const sc::Vec3 momentum = sc::load(angmom[i]) + dtf * sc::load(atom->torque[i]);
-    sc::store(momentum, angmom[i]);
-    rotations_.set(count, momentum, inertia[i], quaternion[i]);
-    rods_[count++] = i;
-    if (count < sc::kBatch) continue;
-    finish(count);
-    count = 0;
-  }
-  if (count > 0) finish(count);
+  threads_->run_over(nlocal, kFewestRods, [&](int first, int last) {
+    Batch batch;
+    for (int i = first; i < last; i++) {
+      if (!(mask[i] & groupbit)) continue;
+      move(i);
+      const sc::Vec3 momentum = sc::load(angmom[i]) + dtf * sc::load(atom->torque[i]);
+      sc::store(momentum, angmom[i]);
+      batch.rotations.set(batch.count, momentum, inertia[i], quaternion[i]);
+      batch.rods[batch.count++] = i;
+      if (batch.count < sc::kBatch) continue;
+      finish(batch);
+      batch.count = 0;
+    }
+    if (batch.count > 0) finish(batch);
+  });
 }
 
 void FixNVESpherocylinder::initial_integrate(int)
@@ -78,18 +88,18 @@ void FixNVESpherocylinder::initial_integrate(int)
           x[i][d] += dtv * v[i][d];
         }
       },
-      [&](int count) {
-        sc::rotate_freely(rotations_, dtv);
+      [&](Batch &batch) {
+        sc::rotate_freely(batch.rotations, dtv);
         // The forces of this step see the half-step velocities, as with LIGGGHTS's other
         // integrators.
-        for (int k = 0; k < count; k++) {
-          const int i = rods_[k];
-          if (rotations_.uncertain[k] != 0.0) {
+        for (int k = 0; k < batch.count; k++) {
+          const int i = batch.rods[k];
+          if (batch.rotations.uncertain[k] != 0.0) {
             rotate_one(i);
             continue;
           }
-          sc::store(rotations_.after(k), atom->quaternion[i]);
-          sc::store(rotations_.omega.get(k), atom->omega[i]);
+          sc::store(batch.rotations.after(k), atom->quaternion[i]);
+          sc::store(batch.rotations.omega.get(k), atom->omega[i]);
         }
       });
 }
@@ -115,9 +125,10 @@ void FixNVESpherocylinder::final_integrate()
         const double dtfm = dtf / mass[i];
         for (int d = 0; d < 3; d++) v[i][d] += dtfm * f[i][d];
       },
-      [&](int count) {
-        sc::angular_velocities(rotations_);
-        for (int k = 0; k < count; k++) sc::store(rotations_.omega.get(k), atom->omega[rods_[k]]);
+      [&](Batch &batch) {
+        sc::angular_velocities(batch.rotations);
+        for (int k = 0; k < batch.count; k++)
+          sc::store(batch.rotations.omega.get(k), atom->omega[batch.rods[k]]);
       });
 }
 

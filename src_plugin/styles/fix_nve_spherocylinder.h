@@ -13,6 +13,8 @@ FixStyle(nve/spherocylinder, FixNVESpherocylinder)
 
 namespace LAMMPS_NS {
 
+class RodThreads;
+
 // Velocity-Verlet translation, and rotation as half kick of the angular momentum, exact free
 // rotation of a symmetric top, half kick. For comparison, rotation by core/plain_rotation.h.
 class FixNVESpherocylinder : public FixNVE {
@@ -24,9 +26,14 @@ class FixNVESpherocylinder : public FixNVE {
 
  private:
   bool plain_ = false;  // rotation plain
-  spherocylinder::RodRotations rotations_{};
-  int rods_[spherocylinder::kBatch];  // that the batch holds
+  const RodThreads *threads_ = nullptr;
 
+  // Rods of one thread.
+  struct Batch {
+    spherocylinder::RodRotations rotations{};
+    int rods[spherocylinder::kBatch];
+    int count = 0;
+  };
   template <typename Move, typename Finish>
   void for_each_batch(Move move, Finish finish);
   void rotate_one(int i);

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+// The threads of a rank, which share its rods and contacts: each works out a piece of what there is to do,
+// pieces that follow each other in its order. What a thread writes must be of its own piece only, so that
+// the result does not depend on how many there are. Attached to the rods.
+class RodThreads : private Pointers {
+ public:
+  static constexpr int kMost = 1024;
+
+  explicit RodThreads(LAMMPS *lmp);
+
+  // By the pair style's keyword, which wins over OMP_NUM_THREADS; 1 without either.
+  void set_count(int count) { count_ = count; }
+  int count() const { return count_; }
+  // At the start of a run: says how many there are, once, and warns if the machine has fewer processors.
+  void tell();
+
+  // How many pieces so much work is worth: one if a thread would have less than `least` of it.
+  int pieces_of(int work, int least) const { return work >= least * count_ ? count_ : 1; }
+
+  // Calls work(piece) for each of them, at once, and returns when all are done.
+  template <typename Work>
+  void run(int pieces, Work work) const
+  {
+    if (pieces == 1) return work(0);
+#pragma omp parallel for num_threads(pieces) schedule(static, 1)
+    for (int piece = 0; piece < pieces; piece++) work(piece);
+  }
+
+  // Calls work(first, last) for parts of 0 ... number - 1.
+  template <typename Work>
+  void run_over(int number, int least, Work work) const
+  {
+    const int pieces = pieces_of(number, least);
+    run(pieces, [&](int piece) {
+      work(first_of(piece, pieces, number), first_of(piece + 1, pieces, number));
+    });
+  }
+  static int first_of(int piece, int pieces, int number)
+  {
+    return static_cast<int>(static_cast<long>(number) * piece / pieces);
+  }
+
+ private:
+  int count_ = 1;
+  bool told_ = false;
+};
+
+}  // namespace LAMMPS_NS
