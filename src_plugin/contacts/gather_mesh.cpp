@@ -142,8 +142,7 @@ void MeshGatherer::match()
 
 void MeshGatherer::warn_of_pierced(const NearFeatures &features)
 {
-  if (warned_) return;
-  warned_ = true;
+  if (!warned_.insert(number_).second) return;
   rod_warning(lmp,
               "Fix wall/gran (id %s): rod %d goes through a face of mesh %s, near triangle %d, at "
               "step " BIGINT_FORMAT "; it is pushed to the side where its centre is",

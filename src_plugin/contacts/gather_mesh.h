@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "contacts/contact_batch.h"
@@ -46,7 +47,7 @@ class MeshGatherer : protected Pointers {
   int number_ = 0, wall_type_ = 0;
   bool types_are_kinds_ = false;
   double turning_ = 1.0;  // share of the rod's turning that damping knows of
-  bool warned_ = false;   // of a rod that lies through a face
+  std::set<int> warned_;  // meshes of which a rod that lies through a face was told
 
   int rod_ = 0;
   spherocylinder::Capsule capsule_{};

@@ -9,6 +9,7 @@
 #include "fix_mesh_surface.h"
 #include "fix_property_atom.h"
 #include "fix_wall_gran.h"
+#include "host/private_members.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -67,23 +68,38 @@ void WallLoads::see(const ContactBatch &batch)
 void WallHeat::see(const ContactBatch &batch)
 {
   TriMesh *mesh = mesh_ ? mesh_->fix().triMesh() : nullptr;
-  for (int k = 0; k < batch.count; k++)
-    fix_.addHeatFlux(mesh, batch.i[k], batch.arms.radius_i[k], batch.arms.overlap[k], 1.0);
+  for (int k = 0; k < batch.count; k++) {
+    // LIGGGHTS's flux goes by the root of the contact's area. A share w of it is that of w^2 times the
+    // area: of the circle of a sphere w times as large that is w times as deep, of its projection, or of
+    // the area that the deck gives.
+    const double share = mesh_ ? batch.weight[k] : 1.0;
+    double &given_area = given_contact_area(fix_);
+    const double whole_area = given_area;
+    given_area *= share * share;
+    fix_.addHeatFlux(mesh, batch.i[k], share * batch.arms.radius_i[k],
+                     share * batch.arms.overlap[k], 1.0);
+    given_area = whole_area;
+  }
 }
 
-// LIGGGHTS takes the velocity of the particle's centre: it is that of the contact point while it looks.
+// LIGGGHTS looks at a sphere: its velocity is that of its centre, and it wears where it does not part, by the
+// velocity along the way from the centre to the contact point. So while LIGGGHTS looks the rod is a sphere that
+// has the end of the arm as its centre, and the velocity of the contact point.
 void MeshStress::see(const ContactBatch &batch)
 {
   for (int k = 0; k < batch.count; k++) {
     const int i = batch.i[k];
-    const Vec3 arm = batch.arms.arm_i.get(k) - batch.depth_i(k) * batch.arms.normal.get(k);
-    const Vec3 velocity = load(atom->v[i]);
-    store(velocity_at(velocity, load(atom->omega[i]), arm), atom->v[i]);
+    const Vec3 arm = batch.arms.arm_i.get(k);
+    const Vec3 down = -batch.depth_i(k) * batch.arms.normal.get(k);
+    const Vec3 position = load(atom->x[i]), velocity = load(atom->v[i]);
+    store(position + arm, atom->x[i]);
+    store(velocity_at(velocity, load(atom->omega[i]), arm + down), atom->v[i]);
     double force[3], to_contact[3], wall_velocity[3];
     store(batch.loads.force.get(k), force);
-    store(arm, to_contact);
+    store(down, to_contact);
     store(batch.arms.velocity_j.get(k), wall_velocity);
     mesh_.fix().add_particle_contribution(i, force, to_contact, batch.end[k], wall_velocity);
+    store(position, atom->x[i]);
     store(velocity, atom->v[i]);
   }
 }

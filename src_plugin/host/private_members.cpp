@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "dump.h"
+#include "fix_wall_gran.h"
 #include "input.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -36,6 +37,7 @@ EXPOSE_MEMBER(GhostGroup, Comm, bordergroup, int)
 EXPOSE_MEMBER(DumpFormat, Dump, format_user, char *)
 EXPOSE_MEMBER(DumpColumns, Dump, size_one, int)
 EXPOSE_MEMBER(WallParameters, PrimitiveWall, param, double *)
+EXPOSE_MEMBER(WallContactArea, FixWallGran, fixed_contact_area_, double)
 
 EXPOSE_MEMBER(MeshCurvature, SurfaceMeshBase, curvature_, double)
 
@@ -83,6 +85,8 @@ const char *dump_format(const Dump &dump) { return dump.*member(DumpFormat()); }
 int dump_columns(const Dump &dump) { return dump.*member(DumpColumns()); }
 
 double *wall_parameters(PrimitiveWall &wall) { return wall.*member(WallParameters()); }
+
+double &given_contact_area(FixWallGran &wall) { return wall.*member(WallContactArea()); }
 
 double cosine_of_curvature(const TriMesh &mesh) { return mesh.*member(MeshCurvature()); }
 

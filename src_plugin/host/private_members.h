@@ -12,6 +12,7 @@ class Comm;
 class Compute;
 class Dump;
 class Fix;
+class FixWallGran;
 class Input;
 class LAMMPS;
 class Modify;
@@ -37,6 +38,9 @@ int dump_columns(const Dump &dump);
 
 // A plane's position, a cylinder's radius and axis.
 double *wall_parameters(PrimitiveWall &wall);
+
+// The area that all contacts of a wall conduct heat through, where the deck gives one: `contact_area constant`.
+double &given_contact_area(FixWallGran &wall);
 
 // The cosine of the angle up to which the mesh's faces make one smooth surface: keyword curvature.
 double cosine_of_curvature(const TriMesh &mesh);

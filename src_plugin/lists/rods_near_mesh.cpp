@@ -39,7 +39,7 @@ bool is_in_valley(const TriangleSurface &surface, const SurfaceEdge &edge, const
 
 }  // namespace
 
-bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit, const Touched &touched)
+bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit, int last_known_id, const Touched &touched)
 {
   RodShifts &shifts = style_of(*atom).attached<RodShifts>();
   if (known_ && version_ == shifts.version() && mesh_version_ == mesh.version()) {
@@ -65,19 +65,21 @@ bool RodsNearMesh::renew(MeshSurface &mesh, int groupbit, const Touched &touched
     if (near_.size() == count_) near_.emplace_back();
     touched_.clear();
     touched(i, touched_);
-    if (!find(mesh, style_of(*atom).capsule(i), near_[count_].features)) continue;
+    const Capsule rod = style_of(*atom).capsule(i);
+    NearFeatures &features = near_[count_].features;
+    features.pierced.clear();
+    if (atom->tag[i] > last_known_id && touched_.empty())
+      find_pierced(mesh, rod.segment, features.pierced);
+    if (!find(mesh, rod, features)) continue;
     near_[count_++].rod = i;
   }
   known_ = true;
-  is_first_ = false;
   return true;
 }
 
 void RodsNearMesh::find_pierced(const MeshSurface &mesh, const Segment &axis,
                                 std::vector<int> &pierced)
 {
-  pierced.clear();
-  if (!is_first_ || !touched_.empty()) return;
   found_.clear();
   mesh.triangle_boxes().find(around(axis.at(-axis.half_length), axis.at(axis.half_length)), found_);
   for (const int triangle : found_)
@@ -109,7 +111,6 @@ bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeature
   const TriangleSurface &surface = mesh.surface();
   const double reach = rod.radius + skin_;
   const Vec3 ends[2] = {axis.at(-axis.half_length), axis.at(axis.half_length)};
-  find_pierced(mesh, axis, features.pierced);
   for (int k = 0; k < 2; k++) {
     features.triangles[k].clear();
     add_deep(surface, ends[k], reach, features.pierced, features.triangles[k]);

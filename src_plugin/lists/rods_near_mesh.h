@@ -24,25 +24,20 @@ class RodsNearMesh : protected Pointers {
 
   // LIGGGHTS's lists are new ones, or are about to be.
   void forget() { known_ = false; }
-  // The next list looks for rods that lie through faces.
-  void begin_run()
-  {
-    known_ = false;
-    is_first_ = true;
-  }
 
   // Triangles that a rod touched in the last step: those of their facets stay near however deep it is.
   using Touched = std::function<void(int rod, std::vector<int> &triangles)>;
 
-  // Once a step, with the mesh where it is now. True if the list is new.
-  bool renew(MeshSurface &mesh, int groupbit, const Touched &touched);
+  // Once a step, with the mesh where it is now. True if the list is new. Rods with ids above
+  // `last_known_id` are there for the first time: they may lie through a face.
+  bool renew(MeshSurface &mesh, int groupbit, int last_known_id, const Touched &touched);
 
   // Owned rods of the group, in their order.
   const Near *begin() const { return near_.data(); }
   const Near *end() const { return near_.data() + count_; }
 
  private:
-  bool known_ = false, is_first_ = true;
+  bool known_ = false;
   double skin_ = 0.0;     // m
   double longest_ = 0.0;  // half an axis (m)
   int version_ = 0;       // of the rods' poses that the list was made at

@@ -98,7 +98,9 @@ void FixWallGranSpherocylinder::init()
     check_no_image_is_missed();
   }
   near_rods_.forget();
-  for (WallMesh &mesh : meshes_) mesh.rods.begin_run();
+  for (WallMesh &mesh : meshes_) mesh.rods.forget();
+  last_known_id_ = 0;
+  if (is_mesh_wall()) largest_id_ = atom->tag_max();
   meshes_may_be_others_ = true;
 }
 
@@ -243,6 +245,7 @@ void FixWallGranSpherocylinder::pre_neighbor()
 {
   FixWallGran::pre_neighbor();
   if (has_variable() || is_mesh_wall()) look_at_rods();
+  if (is_mesh_wall()) largest_id_ = atom->tag_max();
   for (WallMesh &mesh : meshes_) mesh.rods.forget();
   meshes_may_be_others_ = true;
 }
@@ -402,13 +405,14 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
     if (store_force_contact()) fix_wallforce_contact_ = mesh.fix().meshforceContact();
     if (store_force_contact_stress())
       fix_wallforce_contact_stress_ = mesh.fix().meshforceContactStress();
-    const bool is_new = rods.renew(mesh, groupbit, [&, m](int rod, std::vector<int> &triangles) {
+    const auto touched = [&, m](int rod, std::vector<int> &triangles) {
       for (const MeshHistories::Contact &contact : mesh_histories_.of(rod)) {
         if (contact.mesh != static_cast<int>(m)) continue;
         const int triangle = mesh.triangle_of(contact.triangle_id, load(atom->x[rod]));
         if (triangle >= 0) triangles.push_back(triangle);
       }
-    });
+    };
+    const bool is_new = rods.renew(mesh, groupbit, last_known_id_, touched);
     if (auto *list = list_of(mesh); list && list->wants_count()) {
       int mine = static_cast<int>(rods.end() - rods.begin()), all = 0;
       MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
@@ -416,4 +420,5 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
     }
     rod_wall_->compute_mesh_forces(*this, mesh, static_cast<int>(m), rods, is_new, mesh_histories_);
   }
+  last_known_id_ = largest_id_;
 }

@@ -66,6 +66,8 @@ class FixWallGranSpherocylinder : public FixWallGran {
   std::vector<WallMesh> meshes_;
   MeshHistories mesh_histories_;
   bool meshes_may_be_others_ = true;  // LIGGGHTS has spread them over the ranks
+  // Of all ranks' rods, and of those that the meshes have met in this run: inserted ones have larger ids.
+  int largest_id_ = 0, last_known_id_ = 0;
 
   // Of a plane whose position, or a cylinder whose radius, is a variable.
   int variable_ = -1;
