@@ -635,6 +635,25 @@ TEST(MeshMistakes, FilesThatAreNotWhole)
   for (const char c : whole)
     windows += c == '\n' ? std::string(" # a remark\r\n\r\n") : std::string(1, c);
   expect_rests(falling_rod(windows), "comments");
+  // A binary file: 80 bytes, the count, and of each triangle twelve floats and two bytes.
+  const Mesh floor = floor_mesh(1.0, 2);
+  std::string binary(80, ' ');
+  const auto add = [&](const void *value, size_t size) {
+    binary.append(static_cast<const char *>(value), size);
+  };
+  const auto count = static_cast<unsigned>(floor.size());
+  add(&count, sizeof(count));
+  for (const MeshTriangle &triangle : floor) {
+    const float normal[3] = {0.0F, 0.0F, 1.0F};
+    add(normal, sizeof(normal));
+    for (const Vec3 &corner : triangle) {
+      const float values[3] = {static_cast<float>(corner.x), static_cast<float>(corner.y), 0.0F};
+      add(values, sizeof(values));
+    }
+    binary.append(2, '\0');
+  }
+  expect_rests(falling_rod(binary), "a binary file");
+  expect_told(falling_rod(binary.substr(0, 200)), "Error in reading binary STL file");
 }
 
 // Which way triangles look does not matter, nor whether they agree.
