@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes the meshes of these examples as STL files: hopper.stl, drum.stl, drum_parts.stl,
-press.stl, blade.stl.
+"""Writes the meshes of these examples as STL files, named after what they are.
 
-    ./make_meshes.py [--facets 48] [--orifice 0.05]
+    ./make_meshes.py [--facets 48] [--orifice 0.05] [--slope 30]
 
 Lengths in m; both sides of a triangle are walls.
 """
@@ -36,6 +35,38 @@ def disc(rim: np.ndarray) -> list[np.ndarray]:
 
 def quad(a, b, c, d) -> list[np.ndarray]:
     return [np.array([a, b, c], float), np.array([a, c, d], float)]
+
+
+def tiled(a, b, c, d, along: int, across: int) -> list[np.ndarray]:
+    """The plane quad a b c d in along x across pairs of triangles, along from a to b."""
+    a, b, c, d = (np.array(corner, float) for corner in (a, b, c, d))
+
+    def at(u: float, v: float) -> np.ndarray:
+        return (1 - u) * ((1 - v) * a + v * d) + u * ((1 - v) * b + v * c)
+
+    triangles = []
+    for i in range(along):
+        for j in range(across):
+            u, v = (i / along, (i + 1) / along), (j / across, (j + 1) / across)
+            triangles += quad(at(u[0], v[0]), at(u[1], v[0]), at(u[1], v[1]), at(u[0], v[1]))
+    return triangles
+
+
+def upright(x0, y0, x1, y1, low, high) -> list[np.ndarray]:
+    """A vertical plate over the line from (x0, y0) to (x1, y1)."""
+    return quad((x0, y0, low), (x1, y1, low), (x1, y1, high), (x0, y0, high))
+
+
+def level(x0, x1, y0, y1, z) -> list[np.ndarray]:
+    return quad((x0, y0, z), (x1, y0, z), (x1, y1, z), (x0, y1, z))
+
+
+def tray(x0, x1, y0, y1, floor, rim) -> list[np.ndarray]:
+    """A box without a lid."""
+    corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+    sides = [upright(*one, *next_one, floor, rim)
+             for one, next_one in zip(corners, corners[1:] + corners[:1])]
+    return level(x0, x1, y0, y1, floor) + sum(sides, [])
 
 
 def hopper(facets: int, orifice: float, radius=0.06, cone=0.06, height=0.3) -> list[np.ndarray]:
@@ -86,6 +117,48 @@ def blade(radius=0.048, height=0.03, thickness=0.004, foot=0.004) -> list[np.nda
     return [triangle for face in faces for triangle in quad(*corners[list(face)])]
 
 
+def chute(slope: float, length=0.35, width=0.06, side=0.025, end=0.05) -> list[np.ndarray]:
+    """A trough that falls in x by the slope (degrees) to (0, 0, end), of small tiles for its wear."""
+    angle = np.radians(slope)
+    down = np.array([np.cos(angle), 0.0, -np.sin(angle)])
+    out = np.array([np.sin(angle), 0.0, np.cos(angle)])
+    foot = np.array([[0.0, y, end] for y in (-width / 2, width / 2)])
+    head = foot - length * down
+    triangles = tiled(head[0], foot[0], foot[1], head[1], 28, 5)
+    for low, high in zip(foot, head):
+        triangles += tiled(high, low, low + side * out, high + side * out, 28, 2)
+    return triangles
+
+
+def belt_rails() -> list[np.ndarray]:
+    """What stands still about two belts: rails, a plate behind either, a box at the end."""
+    return (upright(-0.25, -0.03, 0.0, -0.03, 0.1, 0.13) + upright(-0.25, 0.03, 0.0, 0.03, 0.1, 0.13)
+            + upright(-0.25, -0.03, -0.25, 0.03, 0.1, 0.13)
+            + upright(-0.02, -0.05, -0.02, 0.2, 0.04, 0.09) + upright(0.12, -0.05, 0.12, 0.2, 0.04, 0.13)
+            + upright(-0.02, -0.05, 0.12, -0.05, 0.04, 0.09)
+            + tray(-0.025, 0.125, 0.205, 0.32, -0.02, 0.03))
+
+
+def trough() -> list[np.ndarray]:
+    """Floor at z = 0.1, open at x = 0."""
+    return (level(-0.2, 0.0, -0.03, 0.03, 0.1)
+            + upright(-0.2, -0.03, 0.0, -0.03, 0.1, 0.14) + upright(-0.2, 0.03, 0.0, 0.03, 0.1, 0.14)
+            + upright(-0.2, -0.03, -0.2, 0.03, 0.1, 0.18))
+
+
+def roller(radius=0.009, corners=6, width=0.054, x=-0.06, z=0.128) -> list[np.ndarray]:
+    """A bar of six sides across a trough."""
+    front, back = (ring(radius, y, corners) for y in (-width / 2, width / 2))
+    triangles = lying(between(front, back) + disc(front) + disc(back))
+    return [triangle + (x, 0.0, z) for triangle in triangles]
+
+
+def vane(radius=0.02, height=0.03, foot=0.012) -> list[np.ndarray]:
+    """Two plates that cross in the z axis."""
+    return (upright(-radius, 0.0, radius, 0.0, foot, foot + height)
+            + upright(0.0, -radius, 0.0, radius, foot, foot + height))
+
+
 def write(name: str, triangles: list[np.ndarray]) -> None:
     with Path(name).open("w") as out:
         out.write(f"solid {Path(name).stem}\n")
@@ -103,12 +176,26 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--facets", type=int, default=48, help="round a circle (default 48)")
     parser.add_argument("--orifice", type=float, default=0.05, help="of the hopper (m)")
+    parser.add_argument("--slope", type=float, default=30, help="of the chute (degrees)")
     arguments = parser.parse_args()
     write("hopper.stl", hopper(arguments.facets, arguments.orifice))
     write("drum.stl", drum(arguments.facets))
     write("drum_parts.stl", drum_parts(arguments.facets))
     write("press.stl", press())
     write("blade.stl", blade())
+    write("chute.stl", chute(arguments.slope))
+    write("chute_bin.stl", tray(-0.03, 0.15, -0.045, 0.045, 0.0, 0.04))
+    write("chute_gate.stl", upright(0.006, -0.05, 0.006, 0.05, 0.0, 0.12))
+    write("belt.stl", level(-0.25, 0.0, -0.035, 0.035, 0.1))
+    write("cross_belt.stl", level(-0.03, 0.13, -0.06, 0.2, 0.04))
+    write("belt_rails.stl", belt_rails())
+    write("trough.stl", trough())
+    write("trough_gate.stl", upright(-0.13, -0.029, -0.13, 0.029, 0.107, 0.18))
+    write("roller.stl", roller())
+    write("flap.stl", upright(0.04, -0.04, 0.04, 0.04, 0.02, 0.06))
+    write("bins.stl", tray(-0.04, 0.12, -0.05, 0.05, -0.03, 0.05)
+          + upright(0.04, -0.05, 0.04, 0.05, -0.03, 0.018))
+    write("vane.stl", vane())
 
 
 if __name__ == "__main__":

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A picture and a film of one of these decks, in one command: the meshes and the run too if its dump is not there.
+
+    ./film.py drum                      # in.drum -> dump.drum -> drum.png, drum.webp
+    ./film.py hopper --film hopper.gif --every 1 --rate 12.5 -var time 0.6
+    ./film.py chute --film chute.mp4    # by ffmpeg
+
+.webp, .gif and .png are put together here (python3-pil), .mp4 and .webm by rod_render (ffmpeg).
+"""
+import argparse
+import shutil
+import subprocess
+import sys
+import tempfile
+from itertools import islice
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+BUILT = HERE.parent.parent / "build" / "release"
+SPEED = ["--colour", "speed"]
+# What is drawn with the rods, how, and the step of the picture over the steps of the run.
+VIEWS = {
+    "drum": (["--mesh", "step_*.stl", *SPEED, "--range", "0", "0.8"], 1.0),
+    "hopper": (["--mesh", "hopper.stl", "--view", "side", "--cut", *SPEED, "--range", "0", "1"], 0.25),
+    "press": (["--vessel-radius", "0.04", "--vessel-height", "0.12", "--body", "step_*.stl",
+               "--range", "0", "90"], 0.5),
+    "mixer": (["--vessel-radius", "0.06", "--body", "step_*.stl", *SPEED, "--range", "0", "0.4"], 1.0),
+    "chute": (["--mesh", "chute.stl", "--mesh", "chute_bin.stl", *SPEED, "--range", "0", "1.2"], 0.6),
+    "conveyor": (["--body", "belt.stl", "--body", "cross_belt.stl", "--mesh", "belt_rails.stl", *SPEED,
+                  "--range", "0", "0.6"], 0.7),
+    "trough": (["--mesh", "step_*.stl", *SPEED, "--range", "0", "0.6"], 0.55),
+    "vane": (["--vessel-radius", "0.045", "--body", "step_*.stl", "--cut", *SPEED, "--range", "0", "0.01"], 1.0),
+}
+
+
+def program(name: str, given: str | None) -> str:
+    found = given or shutil.which(BUILT / name) or shutil.which(name)
+    if not found:
+        sys.exit(f"film.py: {name} is not there: build it by scripts/build, or say where it is by --{name}")
+    return found
+
+
+def frames_of(dump: Path):
+    """Its steps as text."""
+    lines = []
+    with dump.open() as text:
+        for line in text:
+            if line.startswith("ITEM: TIMESTEP") and lines:
+                yield "".join(lines)
+                lines = []
+            lines.append(line)
+    yield "".join(lines)
+
+
+def joined(pictures: list[Path], film: Path, rate: float, quality: int) -> None:
+    try:
+        from PIL import Image
+    except ImportError:
+        sys.exit(f"film.py: {film}: not made, since python3-pil is not installed")
+    images = [Image.open(picture).convert("RGB") for picture in pictures]
+    more = {"duration": round(1000 / rate), "loop": 0, "save_all": True}
+    if film.suffix == ".webp":
+        more |= {"quality": quality, "method": 6, "minimize_size": True}
+    else:  # one palette for all, so that what rests does not flicker
+        palette = images[len(images) // 2].quantize(128)
+        images = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    images[0].save(film, append_images=images[1:], **more)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("deck", choices=sorted(VIEWS))
+    parser.add_argument("--film", type=Path, help="default NAME.webp")
+    parser.add_argument("--size", default="480x400", help="of the film, in pixels (default 480x400)")
+    parser.add_argument("--every", type=int, default=2, help="of the dump's steps (default 2)")
+    parser.add_argument("--steps", type=int, help="at most so many of these (default all)")
+    parser.add_argument("--rate", type=float, default=25, help="pictures a second (default 25)")
+    parser.add_argument("--quality", type=int, default=60, help="of .webp, 0 to 100 (default 60)")
+    parser.add_argument("--picture-size", default="640x480")
+    parser.add_argument("--lmp", help="the program (default build/release/lmp, else that on the path)")
+    parser.add_argument("--rod_render", help="likewise")
+    wanted, variables = parser.parse_known_args()  # the rest, such as -var number 200, goes to the run
+    film = wanted.film or Path(f"{wanted.deck}.webp")
+    if film.suffix not in (".webp", ".gif", ".png", ".mp4", ".webm"):
+        sys.exit(f"film.py: --film must end in .webp, .gif, .png, .mp4 or .webm (got '{film}')")
+
+    dump = Path(f"dump.{wanted.deck}")
+    if not dump.exists():
+        subprocess.run([sys.executable, HERE / "make_meshes.py"], check=True)
+        subprocess.run([program("lmp", wanted.lmp), "-in", f"in.{wanted.deck}", *variables], check=True)
+    elif variables:
+        sys.exit(f"film.py: {' '.join(variables)} would go to the run, but {dump} is there already")
+
+    view, part = VIEWS[wanted.deck]
+    draw = [program("rod_render", wanted.rod_render)]
+    same = [*view, "--timestep", "2e-5"]
+    with tempfile.TemporaryDirectory() as folder:
+        thin = Path(folder, "dump")
+        kept = list(islice(frames_of(dump), 0, None, wanted.every))[:wanted.steps]
+        thin.write_text("".join(kept))
+        step = kept[round(part * (len(kept) - 1))].split("\n")[1]
+        still = f"{wanted.deck}.png"
+        subprocess.run([*draw, thin, "--out", still, "--frame", step, "--size", wanted.picture_size, *same],
+                       check=True, stdout=subprocess.DEVNULL)
+        drawn = [*draw, thin, "--out", Path(folder, "f.png"), "--frame", "all", "--size", wanted.size,
+                 "--no-colour-bar", *same]
+        if film.suffix in (".mp4", ".webm"):
+            drawn += ["--film", film, "--rate", str(wanted.rate)]
+        subprocess.run(drawn, check=True, stdout=subprocess.DEVNULL)
+        if film.suffix not in (".mp4", ".webm"):
+            joined(sorted(Path(folder).glob("f_*.png")), film, wanted.rate, wanted.quality)
+    print(f"{still}, {film}")
+
+
+if __name__ == "__main__":
+    main()
