@@ -22,7 +22,7 @@ SPEED = ["--colour", "speed"]
 # What is drawn with the rods, how, and the step of the picture over the steps of the run.
 VIEWS = {
     "drum": (["--mesh", "step_*.stl", *SPEED, "--range", "0", "0.8"], 1.0),
-    "hopper": (["--mesh", "hopper.stl", "--view", "side", "--cut", *SPEED, "--range", "0", "1"], 0.25),
+    "hopper": (["--mesh", "hopper.stl", "--top", "0.1", "--view", "side", "--cut", *SPEED, "--range", "0", "1.2"], 0.2),
     "press": (["--vessel-radius", "0.04", "--vessel-height", "0.12", "--body", "step_*.stl",
                "--range", "0", "90"], 0.5),
     "mixer": (["--vessel-radius", "0.06", "--body", "step_*.stl", *SPEED, "--range", "0", "0.4"], 1.0),

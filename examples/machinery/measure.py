@@ -39,10 +39,10 @@ def hopper(paths: list[Path], since: float, until: float) -> None:
     widths = np.repeat(sorted(rates), [len(rates[width]) for width in sorted(rates)])
     powers = np.concatenate([rates[width] for width in sorted(rates)]) ** 0.4
     (slope, offset), spread = np.polyfit(widths, powers, 1, cov=True)
-    error = np.hypot(np.sqrt(spread[1, 1]) / slope, offset * np.sqrt(spread[0, 0]) / slope ** 2)
-    covariance = 2 * offset * spread[0, 1] / slope ** 3
-    error = np.sqrt(error ** 2 - covariance)
-    print(f"# rate^(2/5) = {slope:.4g} (D - {-offset / slope:.4f} m); D0 +- {error:.4f} m")
+    gradient = np.array([offset / slope ** 2, -1 / slope])  # of D0 = -offset/slope
+    error = np.sqrt(gradient @ spread @ gradient)
+    print(f"# rate^(2/5) = {slope:.4g} (D - {-offset / slope:.4f} m); D0 +- {error:.4f} m, "
+          f"factor +- {np.sqrt(spread[0, 0]):.2g}")
 
 
 def frames(path: Path):

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The examples of machinery: what measure.py finds where the answer is known, the numbers of the page against its
+tables, films and pictures as small as they should be."""
+import importlib.util
+import re
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from conftest import ROOT
+
+FOLDER = ROOT / "examples" / "machinery"
+RESULTS = FOLDER / "results"
+
+
+def program(name):
+    spec = importlib.util.spec_from_file_location(name, FOLDER / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+measure = program("measure")
+
+
+# Rates of 9e5 (D - 0.012)^(5/2) rods a second: the fit finds the 12 mm.
+def test_hoppers_that_follow_beverloo(tmp_path, capsys):
+    time = np.arange(0, 0.605, 0.01)
+    paths = []
+    for orifice in (0.03, 0.04, 0.05):
+        left = 1000 - 9e5 * (orifice - 0.012) ** 2.5 * time
+        paths.append(tmp_path / f"{orifice}.csv")
+        np.savetxt(paths[-1], np.stack([np.full(len(time), orifice), 0.6 + time, left], axis=1), delimiter=",",
+                   header="orifice/m,time/s,rods above", comments="")
+    measure.hopper(paths, 0.2, 0.5)
+    printed = capsys.readouterr().out
+    assert "0.05,1,253,nan" in printed  # 9e5 0.038^(5/2)
+    assert "(D - 0.0120 m)" in printed
+
+
+# A drum that is full below a line.
+@pytest.mark.parametrize("angle", [-40.0, 10.0, 35.0])
+def test_surface_of_a_full_part_of_a_circle(angle):
+    rng = np.random.default_rng(15485863)
+    points = rng.uniform(-0.1, 0.1, (400000, 2))
+    slope = np.radians(angle)
+    below = points[:, 1] * np.cos(slope) - points[:, 0] * np.sin(slope) < -0.02
+    kept = points[below & (np.hypot(*points.T) < 0.1)]
+    assert measure.surface(kept) == pytest.approx(angle, abs=0.3)
+
+
+# A rod turned by 90 degrees about y lies along x.
+def test_places_of_a_rod(tmp_path):
+    dump = tmp_path / "dump"
+    dump.write_text("ITEM: TIMESTEP\n500\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n-1 1\n-1 1\n-1 1\n"
+                    "ITEM: ATOMS id x y z shapez quat1 quat2 quat3 quat4\n"
+                    "1 0.5 0 0.25 0.07 0.7071067811865476 0 0.7071067811865476 0\n")
+    [(step, rods)] = measure.frames(dump)
+    assert step == 500
+    wanted = [(0.5 + 0.02 * i, 0.25) for i in range(-3, 4)]
+    assert measure.places(rods) == pytest.approx(np.array(wanted), abs=1e-12)
+
+
+def numbers(text):
+    return [float(number.replace(",", "")) for number in re.findall(r"(?<![\w.])\d[\d,]*(?:\.\d+)?", text)]
+
+
+def cells(first):
+    """Numbers of the row of the page's tables that begins with this."""
+    text = (FOLDER / "README.md").read_text()
+    [row] = re.findall(rf"^\| {re.escape(first)} \|(.*)$", text, re.MULTILINE)
+    return [numbers(cell) for cell in row.split("|")[:-1]]
+
+
+def table(name):
+    return pd.read_csv(RESULTS / f"{name}.csv", comment="#")
+
+
+def test_rows_of_the_page_with_closed_forms():
+    for row in table("alone").itertuples(index=False):
+        found = [numbers(cell) for cell in re.findall(
+            rf"^\|[^|]*\| {re.escape(row.quantity)} \|([^|]*)\|([^|]*)\|$", (FOLDER / "README.md").read_text(),
+            re.MULTILINE)[0]]
+        assert found == [[row.found], [row.wanted]], row
+        assert row.found == pytest.approx(row.wanted, rel=2e-3)
+
+
+def test_rates_of_the_page():
+    rates = table("hopper_rates")
+    assert cells("orifice (mm)") == [[round(1000 * orifice)] for orifice in rates["orifice/m"]]
+    assert cells("rods a second") == [[rate, error] for rate, error in zip(rates["rods/s"], rates["standard error"])]
+    kept = (RESULTS / "hopper_rates.csv").read_text()
+    offset, error = (1000 * float(number) for number in re.search(r"D - (\S+) m\); D0 \+- (\S+) m", kept).groups())
+    assert f"{offset:.1f} ± {error:.1f} mm" in (FOLDER / "README.md").read_text()
+
+
+def test_angle_of_the_page():
+    angle = table("drum_angle").iloc[0]
+    assert f"{angle['angle/degrees']:.1f} ± {angle['standard error']:.1f} degrees" in (FOLDER / "README.md").read_text()
+
+
+def test_films_and_pictures_are_small():
+    for path in RESULTS.glob("*.webp"):
+        assert path.stat().st_size <= 900e3, path
+    for path in RESULTS.glob("*.png"):
+        assert path.stat().st_size <= 300e3, path
+
+
+# Each deck has its picture, its film's view and its row.
+def test_decks_are_all_there():
+    decks = {path.name.removeprefix("in.") for path in FOLDER.glob("in.*")} - {"rods", "material"}
+    assert decks == set(program("film").VIEWS)
+    text = (FOLDER / "README.md").read_text()
+    for deck in decks:
+        assert (RESULTS / f"{deck}.png").exists(), deck
+        assert f"| `in.{deck}` |" in text, deck
+        assert f"(results/{deck}.png)" in text, deck
