@@ -3,12 +3,13 @@
 """A picture and a film of one of these decks, in one command: the meshes and the run too if its dump is not there.
 
     ./film.py drum                      # in.drum -> dump.drum -> drum.png, drum.webp
-    ./film.py hopper --film hopper.gif --every 1 --rate 12.5 -var time 0.6
+    ./film.py hopper --film hopper.gif --every 1 --rate 12.5 -var time 1.0
     ./film.py chute --film chute.mp4    # by ffmpeg
 
 .webp, .gif and .png are put together here (python3-pil), .mp4 and .webm by rod_render (ffmpeg).
 """
 import argparse
+import importlib.util
 import shutil
 import subprocess
 import sys
@@ -54,16 +55,19 @@ def frames_of(dump: Path):
 
 
 def joined(pictures: list[Path], film: Path, rate: float, quality: int) -> None:
-    try:
-        from PIL import Image
-    except ImportError:
-        sys.exit(f"film.py: {film}: not made, since python3-pil is not installed")
+    from PIL import Image
+
     images = [Image.open(picture).convert("RGB") for picture in pictures]
     more = {"duration": round(1000 / rate), "loop": 0, "save_all": True}
     if film.suffix == ".webp":
         more |= {"quality": quality, "method": 6, "minimize_size": True}
     else:  # one palette for all, so that what rests does not flicker
-        palette = images[len(images) // 2].quantize(128)
+        some = images[::max(1, len(images) // 8)]
+        width, height = some[0].size
+        sheet = Image.new("RGB", (width, height * len(some)))
+        for place, image in enumerate(some):
+            sheet.paste(image, (0, height * place))
+        palette = sheet.quantize(128)
         images = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     images[0].save(film, append_images=images[1:], **more)
 
@@ -85,6 +89,12 @@ def main() -> None:
     if film.suffix not in (".webp", ".gif", ".png", ".mp4", ".webm"):
         sys.exit(f"film.py: --film must end in .webp, .gif, .png, .mp4 or .webm (got '{film}')")
 
+    by_ffmpeg = film.suffix in (".mp4", ".webm")
+    missing = ("" if shutil.which("ffmpeg") else "ffmpeg") if by_ffmpeg else \
+        ("" if importlib.util.find_spec("PIL") else "python3-pil")
+    if missing:
+        sys.exit(f"film.py: {film} wants {missing}, which is not installed")
+
     dump = Path(f"dump.{wanted.deck}")
     if not dump.exists():
         subprocess.run([sys.executable, HERE / "make_meshes.py"], check=True)
@@ -105,10 +115,10 @@ def main() -> None:
                        check=True, stdout=subprocess.DEVNULL)
         drawn = [*draw, thin, "--out", Path(folder, "f.png"), "--frame", "all", "--size", wanted.size,
                  "--no-colour-bar", *same]
-        if film.suffix in (".mp4", ".webm"):
+        if by_ffmpeg:
             drawn += ["--film", film, "--rate", str(wanted.rate)]
         subprocess.run(drawn, check=True, stdout=subprocess.DEVNULL)
-        if film.suffix not in (".mp4", ".webm"):
+        if not by_ffmpeg:
             joined(sorted(Path(folder).glob("f_*.png")), film, wanted.rate, wanted.quality)
     print(f"{still}, {film}")
 

@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pandas as pd
 import pytest
+from PIL import Image
 
 from conftest import ROOT
 
@@ -60,6 +61,29 @@ def test_places_of_a_rod(tmp_path):
     assert step == 500
     wanted = [(0.5 + 0.02 * i, 0.25) for i in range(-3, 4)]
     assert measure.places(rods) == pytest.approx(np.array(wanted), abs=1e-12)
+
+
+# Three pictures, 40 ms each.
+@pytest.mark.parametrize("ending", ["webp", "gif", "png"])
+def test_film_of_three_pictures(ending, tmp_path):
+    pictures = [tmp_path / f"{shade}.png" for shade in (10, 100, 200)]
+    for path in pictures:
+        Image.new("RGB", (20, 10), (int(path.stem), 0, 0)).save(path)
+    film = tmp_path / f"film.{ending}"
+    program("film").joined(pictures, film, 25, 60)
+    with Image.open(film) as made:
+        assert (made.n_frames, made.size) == (3, (20, 10))
+        for number in range(3):
+            made.seek(number)
+            made.load()
+            assert made.info["duration"] == 40
+            assert made.convert("RGB").getpixel((5, 5))[0] == pytest.approx((10, 100, 200)[number], abs=8)
+
+
+def test_film_takes_a_dump_apart(tmp_path):
+    frame = "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n0\n"
+    (tmp_path / "dump").write_text("".join(frame.format(step) for step in (0, 500, 1000)))
+    assert list(program("film").frames_of(tmp_path / "dump")) == [frame.format(step) for step in (0, 500, 1000)]
 
 
 def numbers(text):
