@@ -55,7 +55,7 @@ def frames(path: Path):
             for _ in range(4):
                 dump.readline()
             names = dump.readline().split()[2:]
-            table = np.array([dump.readline().split() for _ in range(number)], float).reshape(number, -1)
+            table = np.array([dump.readline().split() for _ in range(number)], float).reshape(number, len(names))
             yield step, dict(zip(names, table.T))
 
 

@@ -110,6 +110,52 @@ def test_rows_of_the_page_with_closed_forms():
         assert row.found == pytest.approx(row.wanted, rel=2e-3)
 
 
+# By hand, for lambda = 3, r = 2.5 mm, mu = 0.4: a cylinder of length 4 r and a ball.
+def test_closed_forms_of_the_table():
+    g, mu, slope = 9.81, 0.4, np.radians(30)
+    inertia = (4 / 2 + 8 / 15) / (4 + 4 / 3)   # over m r^2
+    amplitude, omega = 1.5e-3, 40 * np.pi
+    strength = amplitude * omega ** 2 / g
+    thrown = amplitude * omega * np.sqrt(1 - strength ** -2)
+    wanted = [g * (np.sin(slope) - mu * np.cos(slope)) * 0.2, g * np.sin(slope) * 0.2 / (1 + inertia), 0.5,
+              1e3 * (1.2 * 0.5 ** 2 / (mu * g) - 0.5 ** 2 / (2 * mu * g)), 0.5 / (1 + 1 / inertia),
+              1e3 * (amplitude * (1 + 1 / strength) + thrown ** 2 / (2 * g))]
+    assert table("alone")["wanted"].to_numpy() == pytest.approx(wanted, rel=1e-4)  # times are whole steps
+
+
+def between(rows, start, end):
+    return rows[rows.iloc[:, 0].between(start, end)].mean()
+
+
+# What is told of four runs, in words.
+def test_runs_of_the_page():
+    text = " ".join((FOLDER / "README.md").read_text().split())
+    chute = table("chute").iloc[-1]
+    assert f"after {chute.iloc[0]:g} s the gate has counted {chute.iloc[2]:g}, and {chute.iloc[3]:g} lie" in text
+    belts = between(table("conveyor"), 0.7, 1.95)
+    assert f"{belts.iloc[2]:.1f} rods on 80 mm" in text and f"theirs is {belts.iloc[3]:.3f} m/s" in text
+    cross = between(table("conveyor"), 0.82, 1.95).iloc[4]
+    assert f"they go at {cross:.3f} m/s" in text
+    rows = table("trough")
+    speed = between(rows, 0.6, 1.4).iloc[2]
+    largest = 3e-3 * 40 * np.pi * np.cos(np.radians(30))
+    assert f"at {speed:.2f} m/s, {speed / largest:.2f} of" in text
+    assert f"into {rows.iloc[-1, 3]:g} and {rows.iloc[-1, 4]:g}" in text
+    vane = table("vane")
+    half = vane[np.isclose(vane.iloc[:, 0], 0.5)].iloc[0]
+    assert f"{1e3 * half.iloc[2]:.1f} of {1e3 * half.iloc[3]:.1f} mN m at 0.5 s" in text
+    last = vane.iloc[-1]
+    assert f"bears {1e3 * last.iloc[2]:.1f} of {1e3 * last.iloc[3]:.0f} mN m" in text
+
+
+# Of every fifth row.
+def test_the_way_of_the_vane(capsys):
+    measure.vane(RESULTS / "vane.csv")
+    text = " ".join((FOLDER / "README.md").read_text().split())
+    [told] = re.findall(r"it has turned by (\S+) rad", text)
+    assert float(capsys.readouterr().out.split()[1]) == pytest.approx(float(told), rel=2e-3)
+
+
 def test_rates_of_the_page():
     rates = table("hopper_rates")
     assert cells("orifice (mm)") == [[round(1000 * orifice)] for orifice in rates["orifice/m"]]
