@@ -193,7 +193,7 @@ def capsules_figure(table, theirs):
 
 def shear_figure(table, theirs):
     figure, axes = plots.new_figure(125, 85)
-    sheared = table[table["rate"] > 0]
+    sheared = page.sheared(table)
     for n, ((limits, aspect), kind) in enumerate(sheared.groupby(["limits", "lambda"])):
         name = f"λ = {aspect:g}" + ("" if limits == "none" else ", limit on ω")
         points(axes, kind["rate"], kind["alignment_deg"], kind["alignment_error"], color=CYCLE[n],

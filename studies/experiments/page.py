@@ -14,6 +14,7 @@ from studies.experiments import measures
 FEW_CONTACTS, MANY_CONTACTS = 4, 10   # a rod in the bulk, by counting: with friction, without
 NEAR_CORE, LAST_ORDER = 0.95, 0.1     # where a wall's layer ends
 BREAKS = (1.0, 1.5, 2.0)              # of the law of the run-out, height over radius
+FLOWING = 0.1                         # 1/s: layers that shear less rest
 BINS = numpy.arange(0, 2.01, 0.2)     # of the heights for a figure
 
 
@@ -212,11 +213,15 @@ def capsules_rows(table: pandas.DataFrame) -> list[list[str]]:
 
 # --- Shear. --------------------------------------------------------------------------------------
 
+def sheared(table: pandas.DataFrame) -> pandas.DataFrame:
+    return table[table["rate"] > FLOWING]
+
+
 def shear(table: pandas.DataFrame) -> list[dict]:
     """For each kind of rods: layers, range of their rates, mean angle, slope over the decades of
-    the rate, mean order. Layers that do not shear are left out."""
+    the rate, mean order. Layers that rest are left out."""
     found = []
-    for (limits, aspect), kind in table[table["rate"] > 0].groupby(["limits", "lambda"]):
+    for (limits, aspect), kind in sheared(table).groupby(["limits", "lambda"]):
         found.append({"limits": limits, "lambda": aspect, "layers": len(kind),
                       "slowest": kind["rate"].min(), "fastest": kind["rate"].max(),
                       "alignment": statistics.mean_and_error(kind["alignment_deg"]),
@@ -239,7 +244,70 @@ def words(items, last: str = " and ") -> str:
     return last.join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else items[0]
 
 
-def values(tables: dict[str, str], literature: Path | str) -> dict:
+def summary(read: dict[str, pandas.DataFrame], theirs: dict) -> list[list[str]]:
+    """Experiment, what was found there, what here, and the verdict; of all experiments."""
+    def range_of(numbers, digits):
+        low, high = (f"{edge:.{digits}f}" for edge in (min(numbers), max(numbers)))
+        return low if low == high else f"{low} to {high}"
+    beds = contacts(read["contacts"], theirs["contacts", "contacts"])
+    rods = beds[(beds["method"] == "rods") & (beds["limits"] == "none") & (beds["friction"] == 0.2)]
+    limited = beds[(beds["method"] == "rods") & (beds["limits"] == "study")]
+    spheres = beds[beds["method"] != "rods"].iloc[0]
+    beside = rods[rods["lambda"] == spheres["lambda"]].iloc[0]
+    walls = layers(read["wall"])
+    columns = critical(read["collapse"])
+    rough = [row for row in columns if row["friction"] == 0.5 and row["limits"] == "none"]
+    smooth = [row for row in columns if row["friction"] == 0.2 and row["limits"] == "none"]
+    with_limit = [row for row in columns if row["limits"] != "none"]
+    rests = standing(read["standing"])
+    stand = {friction: min((row["lambda"] for row in kind.to_dict("records")
+                            if row["collapsed"] == 0), default=nan)
+             for friction, kind in rests.groupby("friction")}
+    best, angles = densest(read["capsules"]), shear(read["shear"])
+    free = [row for row in angles if row["limits"] == "none"]
+    run_outs = exponents(read["collapse"])[0]
+    return [
+        ["contacts a rod, implied by V_f", f"{2 * theirs['contacts', 'half_contacts']:g}",
+         f"{range_of(rods['implied'], 1)} at friction 0.2, where rods do touch "
+         f"{range_of(rods['contacts'], 1)}; with the limits {range_of(limited['implied'], 1)}",
+         "agrees, and is no count of contacts"],
+        ["contacts a rod, measured", f"{theirs['contacts', 'contacts']:g}",
+         f"{range_of(rods['contacts'], 1)} at friction 0.2, "
+         f"{range_of(beds[beds['friction'] == 0]['contacts'], 1)} without friction",
+         f"not reproduced; so many lie nearer than {range_of(rods['gap'].dropna(), 2)} D at friction 0.2"],
+        ["wall layer (lengths)", f"{theirs['wall', 'layer']:g}",
+         f"order up to {range_of([row['order_layer'] for row in walls], 2)}", "agrees"],
+        ["columns: solid below, fall above (lengths)",
+         f"{theirs['collapse', 'solid_below']:g}, {theirs['collapse', 'falls_above']:g}",
+         f"{range_of([row['solid_below'] for row in rough], 2)}, "
+         f"{range_of([row['falls_above'] for row in rough], 2)} at friction 0.5; fall above "
+         f"{range_of([row['falls_above'] for row in smooth], 2)} at 0.2; with the limits "
+         f"{with_limit[0]['collapsed']} of {with_limit[0]['columns']} fall",
+         "falls above agrees at friction 0.5, solid below is lower; friction decides; the limits give a "
+         "wrong answer"],
+        ["run-out exponents", f"{theirs['collapse', 'exponent_low']:g}, "
+         f"{theirs['collapse', 'exponent_high']:g}",
+         f"{pages.with_error(run_outs['low'], 2)}, {pages.with_error(run_outs['high'], 2)}",
+         "within one and a half errors, which are large"],
+        ["piles stand from λ", f"{theirs['standing', 'stands_from']:g}",
+         "; ".join(f"{aspect:g} at friction {friction:g}" for friction, aspect in stand.items()),
+         "agrees for friction 0.35 to 0.5"],
+        ["densest capsules", f"{theirs['capsules', 'solid_fraction']:g} at λ = "
+         f"{theirs['capsules', 'aspect']:g}",
+         f"{best['solid_fraction']:.3f} at {best['lambda']:g}",
+         "2 % less, and still rising the slower they are compressed"],
+        ["angle in shear", "level over the rate, smaller for longer rods",
+         ", ".join(f"{pages.with_error(row['alignment'], 1)}° for λ = {row['lambda']:g}" for row in free)
+         + "; by decade " + ", ".join(f"{pages.with_error(row['slope'], 1)}°" for row in free),
+         "agrees within the one decade that a chute has"],
+        ["glued spheres, V_f", "–",
+         f"{pages.with_error((spheres['vf_inner'], spheres['vf_inner_error']), 3)} against "
+         f"{pages.with_error((beside['vf_inner'], beside['vf_inner_error']), 3)} of true rods "
+         f"(λ = {spheres['lambda']:g}, friction 0.2)",
+         "bumps do not make up for friction: denser"]]
+
+
+def values(tables: dict[str, str], literature: Path | str, mode: str = "full") -> dict:
     """tables: paths by the names of the experiments; those left out are left out of the page."""
     published = rows.read_rows(literature)
     theirs = {(row["experiment"], row["quantity"]): row["value"]
@@ -275,6 +343,7 @@ def values(tables: dict[str, str], literature: Path | str) -> dict:
         told["densest"] = densest(read["capsules"])
     if "shear" in read:
         told["shear"] = shear_rows(read["shear"])
+    told["summary"] = summary(read, theirs) if mode == "full" and len(read) == 6 else None
     everything = pandas.concat(read.values())
     return told | {"versions": words(sorted(everything["version"].unique())),
                    "machines": words(sorted(everything["machine"].unique()))}
