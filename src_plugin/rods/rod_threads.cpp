@@ -41,6 +41,7 @@ void RodThreads::tell()
   if (comm->me == 0 && static_cast<long>(ranks) * count_ > processors)
     rod_warning(lmp,
                 "Rods: %d ranks of %d threads each are more than the %ld processors of this "
-                "machine, which makes them slow: set OMP_NUM_THREADS, or threads of pair_style",
+                "machine: use fewer (OMP_NUM_THREADS, or threads of pair_style), or let them wait "
+                "without taking a processor (OMP_WAIT_POLICY passive)",
                 ranks, count_, processors);
 }
