@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "claim.h"
+#include "mesh_files.h"
 #include "run_mode.h"
 
 using namespace decks;
@@ -139,10 +140,15 @@ TEST_P(Friction, SlidingRodComesToRoll)
       std::fabs(frames.back().rods[0].velocity.x * (1.0 + kappa) / (v0 + kappa * spin0) - 1.0));
 }
 
+namespace {
+
+const std::string kPlanes = rod_wall("floor", "linear tangential history", "type 5 zplane 0.0") +
+                            rod_wall("side", "linear tangential history", "type 6 xplane 0.0");
+
 // A ladder in the xz plane: foot on the floor, head against a smooth wall at x = 0.
 // N_wall = m g h cos(theta) / (2 (h sin(theta) + r)); it stands if N_wall <= mu m g.
 // Rods of type 1 to 4, floor type 5, wall type 6.
-TEST_P(Friction, LadderAtItsThreshold)
+void expect_ladder_at_its_threshold(Scene scene, const std::string &walls, Mode mode)
 {
   const double theta = degrees(60.0);
   Rod ladder;
@@ -152,7 +158,6 @@ TEST_P(Friction, LadderAtItsThreshold)
   const double weight = ladder.mass() * kGravity;
   const double times_threshold[] = {0.98, 0.998, 1.002, 1.02};
 
-  Scene scene;
   scene.types = 6;
   scene.box_lo[2] = -0.1;
   for (int type = 1; type <= 4; type++) {
@@ -166,16 +171,15 @@ TEST_P(Friction, LadderAtItsThreshold)
     const int rod = std::min(i, j), wall = std::max(i, j);
     return rod <= 4 && wall == 5 ? times_threshold[rod - 1] * threshold : 0.0;
   };
-  scene.physics =
-      pair_property("kn", 6, kStiffness) + pair_property("kt", 6, kStiffness) +
-      pair_property("coefficientRestitution", 6, 0.1) +
-      pair_property("coefficientFriction", 6, friction) + rod_pair("linear tangential history") +
-      rod_wall("floor", "linear tangential history", "type 5 zplane 0.0") +
-      rod_wall("side", "linear tangential history", "type 6 xplane 0.0") +
-      "fix motion all nve/spherocylinder\n" + gravity_on_slope(0.0) + eased_start(100.0, 5000);
+  scene.physics = pair_property("kn", 6, kStiffness) + pair_property("kt", 6, kStiffness) +
+                  pair_property("coefficientRestitution", 6, 0.1) +
+                  pair_property("coefficientFriction", 6, friction) +
+                  rod_pair("linear tangential history") + walls +
+                  "fix motion all nve/spherocylinder\n" + gravity_on_slope(0.0) +
+                  eased_start(100.0, 5000);
   scene.dt = 1e-5;
   scene.steps = 60000;
-  const std::vector<Rod> after = run(scene, GetParam()).back().rods;
+  const std::vector<Rod> after = run(scene, mode).back().rods;
 
   for (int i = 0; i < 2; i++)
     EXPECT_LT(after[i].position.z, scene.rods[i].position.z - 1e-3)
@@ -194,6 +198,29 @@ TEST_P(Friction, LadderAtItsThreshold)
   // Half the width of the bracket of the rods that slip and those that stand.
   expect_holds({"Ladder: friction at which it slips, relative", "N_wall = mu m g", 3e-3},
                0.5 * (times_threshold[2] - times_threshold[1]));
+}
+
+}  // namespace
+
+TEST_P(Friction, LadderAtItsThreshold)
+{
+  expect_ladder_at_its_threshold(Scene{}, kPlanes, GetParam());
+}
+
+// In a corner of two sheets of triangles, of which each is a mesh of its own material.
+TEST(MeshFriction, LadderAtItsThreshold)
+{
+  Scene scene;
+  scene.files["floor.stl"] =
+      stl(randomly_tiled({{-0.5, -0.7, 0.0}, {0.5, 0.0, 0.0}, {0.0, 1.4, 0.0}}, 6, 15485863));
+  scene.files["side.stl"] =
+      stl(randomly_tiled({{0.0, -0.7, 0.0}, {0.0, 1.4, 0.0}, {0.0, 0.0, 0.4}}, 6, 32452843));
+  expect_ladder_at_its_threshold(
+      scene,
+      "fix floor all mesh/surface file floor.stl type 5\n"
+      "fix side all mesh/surface file side.stl type 6\n" +
+          mesh_wall("walls", "linear tangential history", {"floor", "side"}),
+      Mode::OneRank);
 }
 
 DECKS_IN_ALL_MODES(Friction);
