@@ -126,6 +126,11 @@ def pour_all(folders: list[Path], jobs_at_once: int, maker: str) -> list[str]:
     return failed
 
 
+def threads_of_each(wanted: int, jobs_at_once: int, processors: int | None = None) -> int:
+    processors = processors or len(os.sched_getaffinity(0))
+    return max(1, processors // max(1, min(wanted, jobs_at_once)))
+
+
 def kept(folder: Path, maker: str) -> bool:
     if not (folder / FINISHED).exists():
         return False
@@ -156,7 +161,10 @@ def main(out: str, jobs: str, seeds: str, *aspects: str) -> None:
     maker = hashlib.sha256(b"".join(path.read_bytes() for path in made_of)).hexdigest()
     folders = [folder / f"lambda{aspect}_limits_{limits}_seed{seed}" for seed in SEEDS[:int(seeds)]
                for aspect in aspects for limits in ("study", "none")]
-    failed = pour_all([path for path in folders if not kept(path, maker)], int(jobs), maker)
+    wanted = [path for path in folders if not kept(path, maker)]
+    # Processors that no case has are threads of the others: what comes out does not depend on it.
+    os.environ.setdefault("OMP_NUM_THREADS", str(threads_of_each(len(wanted), int(jobs))))
+    failed = pour_all(wanted, int(jobs), maker)
     if failed:
         print(f"run: failed: {' '.join(failed)}", file=sys.stderr)
         sys.exit(1)

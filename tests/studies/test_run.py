@@ -68,6 +68,12 @@ def test_makes_a_table_and_pictures_once(copy):
     assert "was made with other decks or another plug-in: move it away" in other.stderr
 
 
+@pytest.mark.parametrize("wanted, jobs, processors, threads", [
+    (2, 2, 2, 1), (2, 8, 8, 4), (6, 8, 8, 1), (1, 8, 8, 8), (0, 8, 8, 8), (2, 1, 4, 4), (4, 4, 2, 1)])
+def test_processors_are_divided(wanted, jobs, processors, threads):
+    assert pour_all.threads_of_each(wanted, jobs, processors) == threads
+
+
 def test_a_case_that_fails_is_named(copy, programs):
     lmp(copy, f'case "$*" in *limit_fill*) set -- "$@" -var friction -1 ;; esac\n'
               f'exec {programs}/lmp "$@" {FEW_RODS}\n')
