@@ -99,6 +99,20 @@ def findings(beds: pandas.DataFrame, means: pandas.DataFrame) -> dict:
         "aspects": words(f"{a:g}" for a in none.index)}
 
 
+def without_friction(means: pandas.DataFrame) -> dict | None:
+    """What friction does, under the study's limits: beds with none beside those with the study's."""
+    limited = means[means["limits"] == "study"].set_index("lambda")
+    none, some = (limited[limited["friction"] == f] for f in (0, measures.STUDY_FRICTION))
+    both = none.index.intersection(some.index)
+    if both.empty:
+        return None
+    none, some = none.loc[both], some.loc[both]
+    return {"denser_by": percent(none["vf_inner"] / some["vf_inner"] - 1),
+            "to_theory": above_and_below(1 - none["vf_inner"] / none["vf_theory"]),
+            "contacts": words(f"{c:.1f}" for c in none["contacts_per_rod"]),
+            "contacts_with": words(f"{c:.1f}" for c in some["contacts_per_rod"])}
+
+
 def overlaps(means: pandas.DataFrame) -> dict:
     return {"least_mean": 100 * means["mean_overlap_over_diameter"].min(),
             "most_mean": 100 * means["mean_overlap_over_diameter"].max(),
@@ -164,8 +178,10 @@ def values(results: Path, literature: Path | str, mode: str) -> dict:
         "beds": beds.to_dict("records"), "means": means.to_dict("records"),
         "kinds": [{"name": figures.kind_name(*kind), "picture": figures.picture(*kind),
                    "cut": figures.picture(*kind, "_cut")} for kind in kinds],
-        "frictions": words(f"{f:g}" for f in dict.fromkeys(f for f, _ in kinds)),
+        "kinds_told": "; ".join(figures.kind_name(*kind) for kind in kinds),
+        "has_others": any(friction != measures.STUDY_FRICTION for friction, _ in kinds),
         "study_friction": measures.STUDY_FRICTION,
+        "frictionless": without_friction(means),
         "verdict": verdict(measures.verdicts(beds, means, distributions)),
         "slightly": 100 * measures.SLIGHTLY, "close": 100 * measures.CLOSE,
         "near_horizontal": measures.NEAR_HORIZONTAL_DEG, "rest_energy": settling.REST_ENERGY,
