@@ -12,14 +12,16 @@ from studies.common.rows import PROVENANCE, read_rows
 from studies.minimal import figures
 from studies.speed_accuracy import chart
 
-RESULTS = {name: ROOT / "studies" / name / "results" for name in ("packing", "minimal", "speed_accuracy")}
+RESULTS = {name: ROOT / "studies" / name / "results" for name in (
+    "packing", "minimal", "speed_accuracy", "experiments")}
 SCENES = RESULTS["speed_accuracy"] / "scenes.csv"
 
 
 @pytest.mark.parametrize("name, tables", [
     ("packing", ["beds", "elevation", "settings"]),
     ("minimal", ["fresh_beds", "equivalence", "seconds", "features"]),
-    ("speed_accuracy", ["scenes", "bed_runs", "beds", "summary"])])
+    ("speed_accuracy", ["scenes", "bed_runs", "beds", "summary"]),
+    ("experiments", ["contacts", "wall", "collapse", "standing", "capsules", "shear"])])
 def test_results_are_kept(name, tables):
     for table in tables:
         rows = read_rows(RESULTS[name] / f"{table}.csv")
@@ -51,6 +53,19 @@ def test_scenes_of_the_main_page():
     text = " ".join((ROOT / "README.md").read_text().split())
     word = re.search(r"!\[Error against cost in (\w+) scenes with a known outcome", text).group(1)
     assert NUMBERS.index(word) == read_rows(SCENES)["scene"].nunique()
+
+
+# "With the study's limits on top it is 16, 32 and 47 % below; with these limits and no friction 2 % above, ..."
+def test_packings_of_the_main_page():
+    text = " ".join((ROOT / "README.md").read_text().split())
+    beds = read_rows(RESULTS["packing"] / "beds.csv")
+    away = 100 * (beds["vf_inner"] / beds["vf_theory"] - 1)
+    mean = away.groupby([beds["limits"], beds["friction"], beds["lambda"]]).mean()
+    a, b, c = (f"{-mean['study', 0.2, aspect]:.0f}" for aspect in (10, 20, 30))
+    assert f"With the study's limits on top it is {a}, {b} and {c} % below" in text
+    a, b, c = (mean["study", 0, aspect] for aspect in (10, 20, 30))
+    assert a > 0 > max(b, c)
+    assert f"no friction {a:.0f} % above, {-b:.0f} and {-c:.0f} % below" in text
 
 
 # What they hold themselves: intervals of 95 and 90 %, a gas of 5 %, e = 0.5, errors of 100 % and of the
