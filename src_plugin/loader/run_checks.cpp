@@ -157,6 +157,9 @@ void RunChecks::run_begins()
 
 void RunChecks::places_change() { bring_histories_to_rods(lmp_); }
 
+// LIGGGHTS's `restart` command writes in the middle of a run, when histories are in the pair style's list.
+void RunChecks::rods_are_written() { bring_histories_to_rods(lmp_); }
+
 void RunChecks::rods_migrate()
 {
   if (is_handing_over_) return;

@@ -16,6 +16,7 @@ class RunChecks : public RodWatcher {
   explicit RunChecks(LAMMPS *lmp) : lmp_(lmp) {}
   void run_begins() override;
   void places_change() override;
+  void rods_are_written() override;
   void rods_migrate() override;
 
  private:

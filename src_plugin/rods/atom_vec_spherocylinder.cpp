@@ -265,8 +265,10 @@ int AtomVecSpherocylinder::unpack_exchange(double *buf)
   return m;
 }
 
+// What LIGGGHTS asks all ranks first when it writes a restart file.
 int AtomVecSpherocylinder::size_restart()
 {
+  if (watcher_) watcher_->rods_are_written();
   const int nlocal = atom->nlocal;
   int n = (1 + rod_field_size(kWhole)) * nlocal;
   for (int iextra = 0; iextra < atom->nextra_restart; iextra++)

@@ -14,6 +14,9 @@ class RodWatcher {
   // Rods are about to take other places in memory, or a new one that of a ghost.
   virtual void places_change() = 0;
 
+  // By all ranks, also within a run: rods are about to be written to a restart file.
+  virtual void rods_are_written() = 0;
+
   // By all ranks, before rods go from rank to rank: box and cuts are new, histories with their rods.
   virtual void rods_migrate() = 0;
 };

@@ -79,6 +79,47 @@ TEST(RoundTrip, RestartFile)
   }
 }
 
+// Files that `restart` writes within a run hold the tangential springs of that step, as those of
+// write_restart do: both go on alike.
+TEST(RoundTrip, RestartFilesWithinARun)
+{
+  Scene scene = falling_rods();
+  scene.rods.clear();
+  // A layer that friction holds on another, rocking on its tangential springs.
+  for (int n = 0; n < 12; n++) {
+    Rod rod;
+    const bool upper = n >= 6;
+    const double place = -0.075 + 0.03 * (n % 6);
+    rod.length = 0.2;
+    rod.axis = upper ? Vec3{0.0, 1.0, 0.0} : Vec3{1.0, 0.0, 0.0};
+    rod.position = upper ? Vec3{place, 0.0, 0.0149985} : Vec3{0.0, place, 0.004999};
+    if (upper) rod.velocity = {4e-4, 3e-4, 0.0};
+    scene.rods.push_back(rod);
+  }
+  const auto whole = [&](const std::string &commands) {
+    return preamble(scene) + "read_data rods.data\nneighbor 0.02 bin\n" + scene.physics +
+           "timestep 1e-5\n" + commands;
+  };
+  for (const int ranks : {1, 2}) {
+    const DeckFolder folder;
+    folder.write("rods.data", data_file(scene));
+    folder.write("in.within", whole("restart 1500 rods.a rods.b\nrun 2000\n"));
+    folder.write("in.after", whole("run 1500\nwrite_restart rods.after\n"));
+    ASSERT_EQ(folder.run("in.within", {Program::Lmp, ranks}).exit_code, 0);
+    ASSERT_EQ(folder.run("in.after", {Program::Lmp, ranks}).exit_code, 0);
+    std::vector<Rod> ends[2];
+    for (const char *file : {"rods.a", "rods.after"}) {
+      folder.write("in.rest", preamble(scene) + fmt::format("read_restart {}\n", file) +
+                                  "neighbor 0.02 bin\n" + scene.physics +
+                                  "compute contacts all contact/spherocylinder\ntimestep 1e-5\n" +
+                                  exact_dump("dump.rest", 20, kFrameColumns) + "run 20\n");
+      ASSERT_EQ(folder.run("in.rest", {Program::Lmp, ranks}).exit_code, 0);
+      ends[file[5] == 'a' && file[6] == 'f'] = read_frames(folder / "dump.rest", scene).back().rods;
+    }
+    EXPECT_EQ(state_difference(ends[0], ends[1]), 0.0) << ranks;
+  }
+}
+
 TEST(RoundTrip, DataFile)
 {
   const Scene scene = falling_rods();
