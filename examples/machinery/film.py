@@ -22,16 +22,16 @@ BUILT = HERE.parent.parent / "build" / "release"
 SPEED = ["--colour", "speed"]
 # What is drawn with the rods, how, and the step of the picture over the steps of the run.
 VIEWS = {
-    "drum": (["--mesh", "step_*.stl", *SPEED, "--range", "0", "0.8"], 1.0),
+    "drum": (["--mesh", "drum_*.stl", *SPEED, "--range", "0", "0.8"], 1.0),
     "hopper": (["--mesh", "hopper.stl", "--top", "0.1", "--view", "side", "--cut", *SPEED, "--range", "0", "1.2"], 0.2),
-    "press": (["--vessel-radius", "0.04", "--vessel-height", "0.12", "--body", "step_*.stl",
+    "press": (["--vessel-radius", "0.04", "--vessel-height", "0.12", "--body", "press_*.stl",
                "--range", "0", "90"], 0.5),
-    "mixer": (["--vessel-radius", "0.06", "--body", "step_*.stl", *SPEED, "--range", "0", "0.4"], 1.0),
+    "mixer": (["--vessel-radius", "0.06", "--body", "mixer_*.stl", *SPEED, "--range", "0", "0.4"], 1.0),
     "chute": (["--mesh", "chute.stl", "--mesh", "chute_bin.stl", *SPEED, "--range", "0", "1.2"], 0.6),
     "conveyor": (["--body", "belt.stl", "--body", "cross_belt.stl", "--mesh", "belt_rails.stl", *SPEED,
                   "--range", "0", "0.6"], 0.7),
-    "trough": (["--mesh", "step_*.stl", *SPEED, "--range", "0", "0.6"], 0.55),
-    "vane": (["--vessel-radius", "0.045", "--body", "step_*.stl", "--cut", *SPEED, "--range", "0", "0.01"], 1.0),
+    "trough": (["--mesh", "trough_*.stl", *SPEED, "--range", "0", "0.6"], 0.55),
+    "vane": (["--vessel-radius", "0.045", "--body", "vane_*.stl", "--cut", *SPEED, "--range", "0", "0.01"], 1.0),
 }
 
 

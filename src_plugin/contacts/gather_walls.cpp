@@ -98,15 +98,17 @@ void WallGatherer::add_end(ContactBatch &batch, const MovingWall &wall, int i, i
 bool WallGatherer::add_outside(ContactBatch &batch, const MovingWall &wall, int i,
                                const Capsule &rod, double *history) const
 {
-  const double nearest = wall.surface.distance_at_outside(rod.segment);
+  constexpr double kRounding = 1e-9;  // over the cylinder's radius
+  const ClosestPoints closest = wall.surface.closest_at_outside(rod.segment);
+  const double nearest = std::sqrt(closest.distance_squared) - wall.surface.radius;
   if (nearest > rod.radius) return false;
-  if (nearest < 0.0)
+  if (nearest < -kRounding * wall.surface.radius)
     rod_error_one(
         lmp,
         "Fix wall/gran (id %s): the axis of rod %d is across the cylinder at step " BIGINT_FORMAT
         ": %g below its surface, with its centre outside; wanted a rod inside or outside",
         fix_->id, atom->tag[i], update->ntimestep, -nearest);
-  const RodContact touch = wall.surface.contact_at_outside(rod, spread_);
+  const RodContact touch = wall.surface.contact_at_outside(rod, closest, spread_);
   const double from_axis = std::sqrt(touch.points.distance_squared);
   const Vec3 arm = touch.points.s * rod.segment.axis;
   const EndContact contact = {from_axis - wall.surface.radius,

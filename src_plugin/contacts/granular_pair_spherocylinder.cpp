@@ -79,7 +79,7 @@ void GranularPairSpherocylinder::init_granular()
     rod_error_all(lmp, "Pair gran with surface spherocylinder stores no contact forces, as fix "
                        "continuum/weighted wants them (expected compute pair/gran/local)");
   RodThreads &threads = rods.attached<RodThreads>();
-  if (laws_.keywords().threads > 0) threads.set_count(laws_.keywords().threads);
+  threads.set_count(laws_.keywords().threads);
   threads.tell();
   threads_ = &threads;
   workers_.resize(threads.count());

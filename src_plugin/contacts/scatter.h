@@ -17,7 +17,8 @@ void scatter_walls(const ContactBatch &batch, Atom &atom);
 
 // Loads of the pairs of one thread, kept until all threads have worked out theirs. Then each thread adds
 // those on its own rods, first those of the pairs of threads before it: so every rod gets its loads in the
-// order of the list, as from scatter_pairs.
+// order of the list, as from scatter_pairs. (Of two rods of this rank i is the lower, see RodPairList: no
+// thread adds to a rod of one before it.)
 class PairLoads {
  public:
   void clear()

@@ -30,7 +30,8 @@ bool NearWallRods::is_near(const WallSurface &surface, int i) const
   const Capsule rod = style_of(*atom).capsule(i);
   if (surface.gap_of_sphere(rod.segment.centre, atom->radius[i]) > skin_) return false;
   if (surface.is_outside(rod.segment.centre))
-    return surface.distance_at_outside(rod.segment) <= rod.radius + skin_;
+    return std::sqrt(surface.closest_at_outside(rod.segment).distance_squared) <=
+           surface.radius + rod.radius + skin_;
   const RodEnds ends = surface.ends_of(rod);
   return ends.count == 0 || ends.touch(rod.radius + skin_);
 }

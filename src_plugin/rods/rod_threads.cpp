@@ -12,17 +12,25 @@
 
 using namespace LAMMPS_NS;
 
-// OpenMP's variable may be a list, of which the first is meant for the outermost level.
 RodThreads::RodThreads(LAMMPS *lmp) : Pointers(lmp)
 {
+  of_environment_ = from_environment();
+  // All ranks have as many as the first: launchers do not always hand a variable on.
+  MPI_Bcast(&of_environment_, 1, MPI_INT, 0, world);
+  count_ = of_environment_;
+}
+
+// The variable may be a list, of which the first is meant for the outermost level.
+int RodThreads::from_environment() const
+{
   const char *wanted = getenv("OMP_NUM_THREADS");
-  if (!wanted || !*wanted) return;
+  if (!wanted || !*wanted) return 1;
   char *end = nullptr;
   const long count = strtol(wanted, &end, 10);
   if (end == wanted || (*end != '\0' && *end != ',') || count < 1 || count > kMost)
     rod_error_all(lmp, "OMP_NUM_THREADS must be a whole number from 1 to %d (got %s)", kMost,
                   wanted);
-  count_ = static_cast<int>(count);
+  return static_cast<int>(count);
 }
 
 void RodThreads::tell()

@@ -16,8 +16,8 @@ class RodThreads : private Pointers {
 
   explicit RodThreads(LAMMPS *lmp);
 
-  // By the pair style's keyword, which wins over OMP_NUM_THREADS; 1 without either.
-  void set_count(int count) { count_ = count; }
+  // By the pair style's keyword, which wins over OMP_NUM_THREADS; 0 without it. 1 without either.
+  void set_count(int count) { count_ = count > 0 ? count : of_environment_; }
   int count() const { return count_; }
   // At the start of a run: says how many there are, once, and warns if the machine has fewer processors.
   void tell();
@@ -49,8 +49,10 @@ class RodThreads : private Pointers {
   }
 
  private:
-  int count_ = 1;
+  int of_environment_ = 1, count_ = 1;
   bool told_ = false;
+
+  int from_environment() const;
 };
 
 }  // namespace LAMMPS_NS

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "atom.h"
@@ -91,12 +92,7 @@ void FixWallGranSpherocylinder::init()
   rod_wall_ = dynamic_cast<RodWall *>(impl);
   if (primitiveWall_) wall_ = moving_wall();
   if (has_variable()) find_variable();
-  const bool has_size = !(has_variable() && wall_.surface.is_cylinder);
-  if (primitiveWall_ && has_size) {
-    look_at_rods();
-    check_cylinder_is_wide_enough();
-    check_no_image_is_missed();
-  }
+  look_at_rods();
   near_rods_.forget();
   for (WallMesh &mesh : meshes_) mesh.rods.forget();
   last_known_id_ = 0;
@@ -127,14 +123,14 @@ void FixWallGranSpherocylinder::check_no_image_is_missed() const
                     "seen from the other side of the box; wanted boundary f, s or m there",
                     id, 'x' + d);
     if (surface.is_cylinder && !is_normal &&
-        (point[d] - surface.radius < domain->boxlo[d] ||
-         point[d] + surface.radius > domain->boxhi[d]))
-      rod_error_all(
+        (point[d] - surface.radius < domain->boxlo[d] + longest_out_ ||
+         point[d] + surface.radius > domain->boxhi[d] - longest_out_))
+      rod_error_one(
           lmp,
           "Fix wall/gran (id %s): the cylinder from %g to %g in the periodic direction %c "
-          "must lie within the box, %g to %g",
+          "must lie within the box, %g to %g, by half the length of the longest rod outside of it, %g",
           id, point[d] - surface.radius, point[d] + surface.radius, 'x' + d, domain->boxlo[d],
-          domain->boxhi[d]);
+          domain->boxhi[d], longest_out_);
   }
 }
 
@@ -186,7 +182,7 @@ void FixWallGranSpherocylinder::move_wall()
   wall_parameters(*primitiveWall_)[0] = place;
   wall_ = moving_wall();
   if (is_cylinder) {
-    if (is_put_there) look_at_rods();
+    if (is_put_there) read_sizes();
     check_cylinder_is_wide_enough();
     check_no_image_is_missed();
   }
@@ -244,20 +240,31 @@ MovingWall FixWallGranSpherocylinder::moving_wall() const
 void FixWallGranSpherocylinder::pre_neighbor()
 {
   FixWallGran::pre_neighbor();
-  if (has_variable() || is_mesh_wall()) look_at_rods();
+  look_at_rods();
   if (is_mesh_wall()) largest_id_ = atom->tag_max();
   for (WallMesh &mesh : meshes_) mesh.rods.forget();
   meshes_may_be_others_ = true;
 }
 
-// Rods may have come or gone.
+// Rods may have come or gone. (How large a cylinder with a variable is shows when it is moved.)
 void FixWallGranSpherocylinder::look_at_rods()
 {
-  thinnest_ = thickest_in_ = 0.0;
+  read_sizes();
+  if (!primitiveWall_ || (has_variable() && wall_.surface.is_cylinder)) return;
+  check_cylinder_is_wide_enough();
+  check_no_image_is_missed();
+}
+
+void FixWallGranSpherocylinder::read_sizes()
+{
+  thinnest_ = thickest_in_ = longest_out_ = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     const double radius = atom->shape[i][0];
     if (i == 0 || radius < thinnest_) thinnest_ = radius;
-    if (primitiveWall_ && atom->mask[i] & groupbit && !wall_.surface.is_outside(load(atom->x[i])))
+    if (!primitiveWall_ || !(atom->mask[i] & groupbit)) continue;
+    if (wall_.surface.is_outside(load(atom->x[i])))
+      longest_out_ = std::max(longest_out_, atom->radius[i]);
+    else
       thickest_in_ = std::max(thickest_in_, radius);
   }
 }
@@ -321,6 +328,12 @@ int FixWallGranSpherocylinder::forget_contacts(int groupbit_of_rods)
 void FixWallGranSpherocylinder::begin_meshes()
 {
   if (!is_mesh_wall()) return;
+  for (int m = 0; m < n_meshes(); m++)
+    if (strcmp(mesh_list()[m]->style, "mesh/surface/planar") == 0)
+      rod_error_all(lmp,
+                    "Fix wall/gran (id %s): mesh %s is a mesh/surface/planar, which is a face for "
+                    "insertion and counting; wanted a mesh/surface as a wall",
+                    id, mesh_list()[m]->id);
   for (int m = 0; m < n_meshes(); m++)
     if (std::find(mesh_list(), mesh_list() + m, mesh_list()[m]) != mesh_list() + m)
       rod_error_all(lmp,

@@ -75,8 +75,8 @@ class FixWallGranSpherocylinder : public FixWallGran {
   double speed_ = 0.0;         // of it over the last step (m/s)
   bigint place_step_ = -2;     // of place_, -2: none yet
   double listed_place_ = 0.0;  // when LIGGGHTS's list was made (m)
-  double thinnest_ = 0.0,
-         thickest_in_ = 0.0;  // radii of rods of this rank; within the cylinder (m)
+  // Of rods of this rank: radii of all and of those within the cylinder, half a length of those outside (m).
+  double thinnest_ = 0.0, thickest_in_ = 0.0, longest_out_ = 0.0;
 
   FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments arguments);
   bool has_variable() const { return !arguments_.variable.empty(); }
@@ -84,6 +84,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void find_variable();
   void move_wall();
   void look_at_rods();
+  void read_sizes();
   MovingWall moving_wall() const;
   void check_shear() const;
   void check_cylinder_is_wide_enough() const;

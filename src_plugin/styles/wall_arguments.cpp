@@ -61,6 +61,11 @@ WallArguments::WallArguments(LAMMPS *lmp, int narg, char **arg)
     const char *style = others[k + 3];
     const bool is_plane = strlen(style) == 6 && strcmp(style + 1, "plane") == 0;
     if (is_variable(others[k + 4])) {
+      if (others[k + 4][2] == '\0')
+        rod_error_all(lmp,
+                      "Fix wall/gran (id %s): v_ must be followed by the name of a variable (got "
+                      "none)",
+                      arg[0]);
       variable = others[k + 4] + 2;
       others[k + 4] = is_plane ? some_position : some_radius;
     }

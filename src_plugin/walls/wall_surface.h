@@ -82,20 +82,19 @@ struct WallSurface {
     return ends;
   }
 
-  // Of the axis of a rod outside of the cylinder from its surface, where it is nearest (m).
-  double distance_at_outside(const spherocylinder::Segment &rod) const
+  // Of the axis of a rod outside of the cylinder and the cylinder's own.
+  spherocylinder::ClosestPoints closest_at_outside(const spherocylinder::Segment &rod) const
   {
-    return std::sqrt(closest_points(rod, axis_beside(rod)).distance_squared) - radius;
+    return closest_points(rod, axis_beside(rod));
   }
   // Of a rod outside that touches: as with a straight rod of the cylinder's radius, without ends.
   // `spread`: see spherocylinder::spread_contact.
   spherocylinder::RodContact contact_at_outside(const spherocylinder::Capsule &rod,
+                                                const spherocylinder::ClosestPoints &closest,
                                                 bool spread) const
   {
-    const spherocylinder::Segment axis = axis_beside(rod.segment);
-    const spherocylinder::ClosestPoints closest = closest_points(rod.segment, axis);
     const double reach = rod.radius + radius;
-    if (spread) return spread_contact(rod.segment, axis, reach, closest);
+    if (spread) return spread_contact(rod.segment, axis_beside(rod.segment), reach, closest);
     return {closest, reach - std::sqrt(closest.distance_squared)};
   }
 
