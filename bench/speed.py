@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Whole scenes timed, the plug-in beside its peers, rods glued of spheres or as many spheres: how a
-scene begins, its timed runs in turns, its rows, the figure. The Snakefile calls it:
+"""Whole scenes timed, the plug-in beside its peers, rods glued of spheres or as many spheres, and beside
+itself in other walls: how a scene begins, its timed runs in turns, its rows, the figure. The Snakefile calls it:
     speed.py start SCENE LAMBDA RODS --settings JSON --build DIR --folder DIR
     speed.py time SCENE LAMBDA RODS RANKS --settings JSON --build DIR --folder DIR --out CSV
-and by hand, to put the cases of one table into another, in the place of those it has of them:
+and by hand, to put the cases of one table into another, in the place of those it has of them, and to count
+the instructions of so many steps of rods, by valgrind, in each of a scene's walls:
     speed.py add CSV --to CSV
+    speed.py count SCENE LAMBDA RODS STEPS --build DIR --folder DIR
 """
 from __future__ import annotations
 
@@ -26,7 +28,7 @@ import pandas
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent)]
 
-from bench import one_sphere  # noqa: E402
+from bench import meshes, one_sphere  # noqa: E402
 from studies.common import cases, plots, rows  # noqa: E402
 
 DIAMETER, DENSITY = 0.01, 2700  # m, kg/m³; those of input/in.rods
@@ -48,38 +50,57 @@ class Scene:
     spheres: bool = False  # the peers are as many spheres, else glued rods
     settles: bool = False  # glued rods do, before they are timed
     skin: float = 0.8      # of the peer, in diameters: near the fastest of 0.1 to 1.6
+    mesh: str = ""         # in the place of the walls, one that meshes.py writes
+    beside: str = ""       # the same rods in another mesh, or in "primitive" walls
+    lid: bool = False      # taken away from below the rods before they are timed
+    quick: bool = False    # made as in.fill's quick bed
 
 
 SCENES = {"bed": Scene(side=True, floor=True, poured=True, rests=True, settles=True, skin=0.2),
           "fill": Scene(side=True, floor=True, poured=True),
           "gas": Scene(), "dilute": Scene(), "dense": Scene(),
           "periodic_bed": Scene(floor=True, settles=True, skin=0.2),
-          "sphere_bed": Scene(side=True, floor=True, poured=True, rests=True, spheres=True)}
+          "sphere_bed": Scene(side=True, floor=True, poured=True, rests=True, spheres=True),
+          "mesh_bed": Scene(poured=True, rests=True, settles=True, skin=0.2, mesh="coarse",
+                            beside="primitive"),
+          "mesh_fine": Scene(poured=True, rests=True, mesh="fine", beside="coarse", quick=True),
+          "drum": Scene(mesh="drum"), "hopper": Scene(mesh="hopper", lid=True)}
 
 
 def solid(scene: str, aspect: int) -> float:
     return {"dilute": 0.5 / aspect, "dense": 0.15}.get(scene, 0.05)
 
 
-def spheres_of(aspect: int, count: int, settings: dict) -> list[int]:
-    """Numbers of spheres of the glued rods: they touch, and they overlap by half."""
-    return [aspect, 2 * aspect - 1] if count <= settings["largest_peer"] else []
+def spheres_of(scene: str, aspect: int, count: int, settings: dict) -> list[int]:
+    """Numbers of spheres of the glued rods: they touch, but in meshes, and they overlap by half."""
+    if count > settings["largest_peer"]:
+        return []
+    return [2 * aspect - 1] if SCENES[scene].mesh else [aspect, 2 * aspect - 1]
 
 
-def peers_of(scene: str, aspect: int, count: int, settings: dict) -> list[str]:
+def codes_of_rods(scene: str) -> list[str]:
+    """The plug-in, and where it is timed beside itself."""
+    return ["plugin", *([SCENES[scene].beside] if SCENES[scene].beside else [])]
+
+
+def codes_of(scene: str, aspect: int, count: int, settings: dict) -> list[str]:
     if SCENES[scene].spheres:
-        return list(one_sphere.CODES)
-    return [str(n) for n in spheres_of(aspect, count, settings)]
+        return ["plugin", *one_sphere.CODES]
+    return [*codes_of_rods(scene), *map(str, spheres_of(scene, aspect, count, settings))]
 
 
 def program_of(code: str) -> str:
-    return {"plugin": "lmp", "lammps": "lammps"}.get(code, "liggghts")
+    if code in one_sphere.CODES:
+        return code
+    return "liggghts" if code.isdigit() else "lmp"
 
 
 def name_of(code: str) -> str:
     if code in one_sphere.CODES:
         return f"sphere {code}"
-    return code if code == "plugin" else f"multisphere n={code}"
+    if code.isdigit():
+        return f"multisphere n={code}"
+    return code if code == "plugin" else f"plugin {code}"
 
 
 def link_all(folder: Path) -> None:
@@ -88,11 +109,19 @@ def link_all(folder: Path) -> None:
     cases.link_decks(folder, decks)
 
 
-def variables(scene: str, aspect: int, count: int) -> dict:
+def variables(scene: str, aspect: int, count: int, code: str = "plugin") -> dict:
     s = SCENES[scene]
-    vessel = round(0.02 * aspect + 0.01, 12) if s.side else 0.01
+    vessel = round(0.02 * aspect + 0.01, 12) if s.poured else 0.01
+    if scene == "mesh_fine":  # as high, for its width, as 500 rods
+        vessel = round(vessel * (count / 500)**(1 / 3), 3)
+    primitive = code == "primitive"
+    mesh = "" if primitive else code if code in meshes.TILES else s.mesh
     return {"lambda": aspect, "rods": count, "vessel_diameter": vessel,
-            "has_side": int(s.side), "has_floor": int(s.floor)}
+            "has_side": int(s.side or primitive), "has_floor": int(s.floor or primitive),
+            "has_gravity": int(s.floor or bool(s.mesh)), "mesh": mesh or "none",
+            "meshes": "drum parts" if mesh == "drum" else mesh or "none",
+            "n_meshes": 2 if mesh == "drum" else int(bool(mesh)),
+            "from": "restart.primitive" if primitive else "restart.start"}
 
 
 def peer_variables(scene: str, aspect: int, count: int, n: int, folder: Path) -> dict:
@@ -104,7 +133,7 @@ def peer_variables(scene: str, aspect: int, count: int, n: int, folder: Path) ->
 
 def start(scene: str, aspect: int, count: int, settings: dict, build: Path, folder: Path) -> None:
     """Leaves what the timed runs begin with: restart.start, and of the peers restart.peer.N or
-    spheres.data."""
+    spheres.data; of a bed in a mesh restart.primitive as well."""
     s, values = SCENES[scene], variables(scene, aspect, count)
     shutil.rmtree(folder, ignore_errors=True)
     link_all(folder)
@@ -113,13 +142,28 @@ def start(scene: str, aspect: int, count: int, settings: dict, build: Path, fold
         cases.run_deck(folder, f"in.{deck}", {**values, **more}, build=build)
 
     if s.poured:
+        # A mesh of many triangles takes a minute to read; in its coarse twin rods come to rest alike.
+        coarser = s.beside if s.beside in meshes.TILES else "plugin"
         filling = settings["poured"] if s.rests else settings["filling"]
         lmp("fill", out=".", fill_time=filling, total_time=settings["rested"], limit_fill=0,
-            dump_every=10_000_000, seed=settings["seed"])
+            dump_every=10_000_000, seed=settings["seed"], quick=int(s.quick))
         if s.rests:
             cases.run_deck(folder, "in.settle", {"out": ".", "limit_settle": 0,
                                                  "dump_every": 10_000_000}, build=build)
-        lmp("start_bed", **{"from": "restart.settle" if s.rests else "restart.fill"})
+        poured = {"from": "restart.settle" if s.rests else "restart.fill"}
+        if s.mesh:
+            lmp("start_bed", **{**variables(scene, aspect, count, "primitive"), **poured}, seconds=0)
+            (folder / "restart.start").rename(folder / "restart.primitive")
+            for mesh in meshes.TILES.keys() & {s.mesh, s.beside}:
+                meshes.write(mesh, folder, values["vessel_diameter"] / 2,
+                             bed_top(folder / "dump.start") + aspect * DIAMETER / 2)
+        lmp("start_bed", **{**variables(scene, aspect, count, coarser), **poured},
+            seconds=settings["peer_settled"] if s.mesh else 0)
+    elif s.mesh:
+        meshes.write(s.mesh, folder)
+        lmp("start_machine", box=meshes.BOXES[s.mesh], placed=meshes.PLACED[s.mesh],
+            seed=settings["seed"], seconds=settings["moved"][s.mesh], opened=settings["opened"],
+            has_floor=int(s.lid))
     else:
         times = max(1, count // MOST_PLACED)
         cases.run_tool("place_rods", "--lambda", aspect, "--solid", solid(scene, aspect),
@@ -131,11 +175,12 @@ def start(scene: str, aspect: int, count: int, settings: dict, build: Path, fold
     if s.spheres:
         one_sphere.settle(folder, count, settings)
         return
-    for n in spheres_of(aspect, count, settings):
+    # Above a bed and beside its vessel the box is cut off: bins there cost memory and time.
+    fit = [] if s.mesh and not s.poured else ["--fit", str(aspect * DIAMETER)]
+    for n in spheres_of(scene, aspect, count, settings):
         prefix = f"peer.{n}"
-        # Above a bed and beside its vessel the box is cut off: bins there cost memory and time.
         subprocess.run([cases.program_path("rods_to_multisphere", build), "dump.start",
-                        "--spheres", str(n), "--fit", str(aspect * DIAMETER), "--out", prefix],
+                        "--spheres", str(n), *fit, "--out", prefix],
                        cwd=folder, check=True, stdout=subprocess.DEVNULL)
         cases.run_deck(folder, "in.start_spheres",
                        {**peer_variables(scene, aspect, count, n, folder),
@@ -169,6 +214,11 @@ def idle_kB(program: str, build: Path, folder: Path) -> int:
     return int(peak.read_text())
 
 
+def bed_top(dump: Path) -> float:
+    """Of the rods' centres (m), in dump.start."""
+    return pandas.read_csv(dump, sep=r"\s+", skiprows=9, header=None)[6].max()
+
+
 def checksum(dump: Path) -> float:
     """Sum of id (x + y + z) / sum of id, in diameters: one number that every coordinate is part
     of."""
@@ -179,13 +229,15 @@ def checksum(dump: Path) -> float:
 
 def time_once(code: str, scene: str, aspect: int, count: int, ranks: int, settings: dict,
               build: Path, folder: Path) -> dict:
-    """One timed run of "plugin", of a code for spheres, or of a number of spheres a rod."""
+    """One timed run of "plugin", of it in other walls, of a code for spheres, or of a number of spheres a
+    rod."""
     own, peers = settings["steps"][scene]
     peak = folder / "peak"
-    if code == "plugin":
+    is_rods = code in codes_of_rods(scene)
+    if is_rods:
         run = cases.run_deck(folder, "in.time_plugin",
-                             {**variables(scene, aspect, count), "steps": own}, ranks=ranks,
-                             build=build, under=measured(peak))
+                             {**variables(scene, aspect, count, code), "steps": own}, ranks=ranks,
+                             build=build, under=measured(peak), name=f"time_{code}")
     elif code in one_sphere.CODES:
         run = cases.run_deck(folder, "in.time_one_sphere",
                              {**one_sphere.variables(code, count, settings), "steps": peers},
@@ -197,10 +249,10 @@ def time_once(code: str, scene: str, aspect: int, count: int, ranks: int, settin
                              under=measured(peak), name=f"time_{code}")
     log = run.log.read_text(errors="replace")
     result = {"seconds": float(re.search(r"^Loop time of (\S+)", log, re.MULTILINE)[1]),
-              "steps": own if code == "plugin" else peers, "command": run.command,
+              "steps": own if is_rods else peers, "command": run.command,
               "peak_kB": sum(map(int, peak.read_text().split())),
               "checksum": checksum(folder / "dump.final"), "contacts": math.nan}
-    if code == "plugin":
+    if is_rods:
         result["contacts"] = float(cases.read_log(run.log)[0]["contacts"].iloc[-1])
     elif code in one_sphere.CODES:
         result["contacts"] = one_sphere.contacts(run.log)
@@ -235,7 +287,7 @@ def time_case(scene: str, aspect: int, count: int, ranks: int, settings: dict, b
               folder: Path) -> list[dict]:
     link_all(folder)
     load = os.getloadavg()[0]
-    codes = ["plugin", *peers_of(scene, aspect, count, settings)]
+    codes = codes_of(scene, aspect, count, settings)
     idle = {program: idle_kB(program, build, folder) for program in set(map(program_of, codes))}
     runs: dict[str, list[dict]] = {code: [] for code in codes}
     for _ in range(settings["turns"]):
@@ -244,6 +296,17 @@ def time_case(scene: str, aspect: int, count: int, ranks: int, settings: dict, b
                 time_once(code, scene, aspect, count, ranks, settings, build, folder))
     table = rows_of(runs, scene, aspect, count, ranks, idle, load)
     return [{**row, **rows.provenance(row["command"], settings["seed"])} for row in table]
+
+
+def count_instructions(scene: str, aspect: int, count: int, steps: int, build: Path,
+                       folder: Path) -> None:
+    """Prints those a rod and step of the rods, in each of the scene's walls."""
+    link_all(folder)
+    for code in codes_of_rods(scene):
+        found, _ = cases.run_counted(folder, "in.time_plugin",
+                                     {**variables(scene, aspect, count, code), "steps": steps},
+                                     build=build, name=f"count_{code}", copies_as_loops=True)
+        print(f"{scene} {aspect} {count} {name_of(code)}: {found / (steps * count):.1f}", flush=True)
 
 
 def add_rows(part: Path, table: Path) -> None:
@@ -302,12 +365,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="work", required=True)
-    for name in ("start", "time"):
+    for name, last in (("start", []), ("time", ["ranks"]), ("count", ["steps"])):
         command = commands.add_parser(name)
         command.add_argument("scene", choices=SCENES)
-        for number in ("aspect", "rods", *(["ranks"] if name == "time" else [])):
+        for number in ("aspect", "rods", *last):
             command.add_argument(number, type=int)
-        command.add_argument("--settings", type=json.loads, required=True)
+        if name != "count":
+            command.add_argument("--settings", type=json.loads, required=True)
         command.add_argument("--build", type=Path, required=True)
         command.add_argument("--folder", type=Path, required=True)
         if name == "time":
@@ -325,6 +389,9 @@ def main() -> None:
     try:
         if given.work == "start":
             start(given.scene, given.aspect, given.rods, given.settings, given.build, given.folder)
+        elif given.work == "count":
+            count_instructions(given.scene, given.aspect, given.rods, given.steps, given.build,
+                               given.folder)
         else:
             rows.write_rows(given.out, time_case(given.scene, given.aspect, given.rods, given.ranks,
                                                  given.settings, given.build, given.folder))

@@ -57,8 +57,8 @@ def test_checksum(tmp_path):
 def test_solid_parts():
     for aspect in (10, 30, 100):
         assert speed.solid("dilute", aspect) * aspect == pytest.approx(speed.solid("gas", 10) * 10)
-    assert speed.spheres_of(30, 2000, {"largest_peer": 2000}) == [30, 59]
-    assert speed.spheres_of(30, 2001, {"largest_peer": 2000}) == []
+    assert speed.spheres_of("gas", 30, 2000, {"largest_peer": 2000}) == [30, 59]
+    assert speed.spheres_of("gas", 30, 2001, {"largest_peer": 2000}) == []
 
 
 # From end to end; a second time nothing is timed again.
