@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pandas
 
+from bench import speed
+
 
 def values(table: pandas.DataFrame) -> dict:
     def row(scene: str, aspect: int, count: int, ranks: int = 1, code: str = "plugin") -> pandas.Series:
@@ -28,5 +30,13 @@ def values(table: pandas.DataFrame) -> dict:
                            for code, name in (("liggghts", "LIGGGHTS"), ("lammps", "LAMMPS"))]}
                 for (aspect, count), _ in of_scene.groupby(["lambda", "rods"])]
 
-    return {"beside_spheres": beside_spheres(), "row": row, "us": us, "times_slower": times_slower,
+    def in_meshes() -> list[dict]:
+        """The cases of scenes with a mesh: the row of the rods, those in other walls and those glued."""
+        of_scenes = table[table["scene"].isin([name for name, scene in speed.SCENES.items() if scene.mesh])]
+        return [{"rods": row(scene, aspect, count),
+                 **{kind: [r for _, r in rows.iterrows() if r["code"].startswith(f"{kind} ")]
+                    for kind in ("plugin", "multisphere")}}
+                for (scene, aspect, count), rows in of_scenes.groupby(["scene", "lambda", "rods"])]
+
+    return {"beside_spheres": beside_spheres(), "in_meshes": in_meshes(), "row": row, "us": us, "times_slower": times_slower,
             "machines": sorted(set(table["machine"]))}

@@ -10,7 +10,7 @@ import numpy
 import pandas
 import pytest
 
-from bench import compare, one_sphere, page, speed
+from bench import compare, meshes, one_sphere, page, speed
 from studies.common import cases, pages
 from studies.common.rows import PROVENANCE, read_rows
 
@@ -96,9 +96,77 @@ def test_smallest_run(study, tmp_path):
     assert again.returncode == 0 and "Nothing to be done" in again.stdout, again.stdout
 
 
+# Rods in flight: the same state beside primitives, in the mesh, and glued.
+def test_smallest_run_of_meshes(study, tmp_path):
+    done = study("bench/", "smoke=1", "scenes=[mesh_bed,drum,hopper]")
+    assert done.returncode == 0, done.stdout
+    table = read_rows(tmp_path / "results" / "speed.csv")
+    assert table[["scene", "lambda", "rods", "code"]].values.tolist() == [
+        *(["drum", 3, 20, code] for code in ("plugin", "multisphere n=5")),
+        *(["hopper", 3, 20, code] for code in ("plugin", "multisphere n=5")),
+        *(["mesh_bed", 10, 20, code] for code in ("plugin", "plugin primitive", "multisphere n=19"))]
+    assert (table["us_min"] > 0).all()
+    assert table[table["code"].str.startswith("plugin")]["contacts_per_rod"].notna().all()
+
+
+def facets_of(stl):
+    """Corners of the triangles of a text STL."""
+    numbers = [line.split()[1:] for line in stl.read_text().splitlines() if "vertex" in line]
+    return numpy.array(numbers, float).reshape(-1, 3, 3)
+
+
+# Plates and floor of a coarse and a fine tube lie in the same planes: areas of either by hand, of a polygon of 64
+# sides about the circle of radius r, 128 r tan(π/64) h, and of the square about it.
+def test_tubes_of_few_and_many_triangles_are_one_surface(tmp_path):
+    radius, height = 0.1, 0.3
+    for mesh, number in (("coarse", 1010), ("fine", 99698)):
+        meshes.write(mesh, tmp_path, radius, height)
+        corners = facets_of(tmp_path / f"{mesh}.stl")
+        assert len(corners) == number
+        normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        areas = numpy.linalg.norm(normals, axis=1) / 2
+        floor = (corners[:, :, 2] == 0).all(axis=1)
+        assert areas[~floor].sum() == pytest.approx(128 * radius * math.tan(math.pi / 64) * height)
+        assert areas[floor].sum() == pytest.approx((2 * radius / math.cos(math.pi / 64))**2)
+        unit = normals[~floor] / (2 * areas[~floor, None])
+        apart = abs((unit * corners[~floor, 0]).sum(axis=1))
+        assert apart == pytest.approx(numpy.full(len(apart), radius), rel=1e-6)
+
+
+@pytest.mark.parametrize("scene, found", [
+    ("bed", ["plugin", "10", "19"]), ("mesh_bed", ["plugin", "primitive", "19"]),
+    ("mesh_fine", ["plugin", "coarse", "19"]), ("drum", ["plugin", "19"]),
+    ("sphere_bed", ["plugin", "liggghts", "lammps"])])
+def test_codes_of_a_scene(scene, found):
+    assert speed.codes_of(scene, 10, 500, {"largest_peer": 2000}) == found
+    programs = {"liggghts": "liggghts", "lammps": "lammps"}
+    for code in found:
+        assert speed.program_of(code) == ("liggghts" if code.isdigit() else programs.get(code, "lmp"))
+
+
+# Of one rod at a wall the two surroundings are different decks: gravity in both, walls in one, a mesh in the other.
+def test_variables_of_walls_and_of_meshes():
+    names = ("has_side", "has_floor", "has_gravity", "n_meshes", "meshes", "from")
+
+    def chosen(scene, code="plugin"):
+        found = speed.variables(scene, 10, 500, code)
+        return tuple(found[name] for name in names)
+
+    assert chosen("gas") == (0, 0, 0, 0, "none", "restart.start")
+    assert chosen("bed") == (1, 1, 1, 0, "none", "restart.start")
+    assert chosen("mesh_bed") == (0, 0, 1, 1, "coarse", "restart.start")
+    assert chosen("mesh_bed", "primitive") == (1, 1, 1, 0, "none", "restart.primitive")
+    assert chosen("mesh_fine") == (0, 0, 1, 1, "fine", "restart.start")
+    assert chosen("mesh_fine", "coarse") == (0, 0, 1, 1, "coarse", "restart.start")
+    assert chosen("drum") == (0, 0, 1, 2, "drum parts", "restart.start")
+    # The study's vessel; as much wider as 20 times the rods ask for.
+    assert speed.variables("mesh_bed", 10, 500)["vessel_diameter"] == 0.21
+    assert speed.variables("mesh_fine", 10, 10000)["vessel_diameter"] == 0.57
+
+
 @pytest.mark.parametrize("settings, sentence", [
-    (["scenes=[bad]"], "bench: scenes must be of bed, fill, gas, dilute, dense, periodic_bed, sphere_bed "
-     "(got 'bad')"),
+    (["scenes=[bad]"], "bench: scenes must be of bed, fill, gas, dilute, dense, periodic_bed, sphere_bed, "
+     "mesh_bed, mesh_fine, drum, hopper (got 'bad')"),
     (["sphere_gravity=0"], "bench: sphere_gravity must be a number >= 1 (got 0)"),
     (["sphere_settled=long"], "bench: sphere_settled must be a number >= 0 (got long)"),
     (["sphere_skin=0.1"], "bench: sphere_skin must be a mapping {KEY: VALUE} (got 0.1)"),
@@ -177,6 +245,25 @@ def test_page_tells_of_spheres_where_they_were_timed(tmp_path):
         "| 500 spheres, LAMMPS | 0.17 | 5.7 | 0.81 |",
         "| 700 rods, λ = 30 | 0.21 | 6.0 | 1 |", "| 700 spheres, LIGGGHTS | 0.36 | 5.7 | 1.7 |",
         "| 700 spheres, LAMMPS | 0.17 | 5.7 | 0.81 |"]
+
+
+# Rods in a mesh, where there are such rows: 1.25 times the primitives' step; glued rods take 5.1 times as long.
+def test_page_tells_of_meshes_where_they_were_timed(tmp_path):
+    table = read_rows(KEPT)
+    table = table[~table["scene"].isin(["mesh_bed", "mesh_fine", "drum", "hopper"])]
+    out = tmp_path / "README.md"
+    pages.render(ROOT / "bench" / "README.md.j2", out, page.values(table))
+    assert "### Meshes" not in out.read_text()
+
+    rows = [{**table.iloc[0].to_dict(), "scene": "mesh_bed", "lambda": 10, "rods": 500, "code": code,
+             "us_per_rod_and_step": us, "peer_over_plugin": ratio}
+            for code, us, ratio in (("plugin", 0.41, 1), ("plugin primitive", 0.33, 0.8),
+                                    ("multisphere n=19", 2.1, 5.1))]
+    pages.render(ROOT / "bench" / "README.md.j2", out,
+                 page.values(pandas.concat([table, pandas.DataFrame(rows)], ignore_index=True)))
+    section = out.read_text().split("### Meshes")[1].split("## Post")[0]
+    assert [line for line in section.splitlines() if line.startswith("|")][2:] == [
+        "| `mesh_bed`, 500 rods, λ = 10 | 0.41 | 1.25 (plugin primitive) | 5.1 (multisphere n=19) |"]
 
 
 # The page holds what its table does.
