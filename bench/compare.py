@@ -27,7 +27,8 @@ from studies.common import cases, rows  # noqa: E402
 SETTINGS = yaml.safe_load((HERE / "config.yaml").read_text())
 CASES = [("bed", 10, 500), ("bed", 20, 700), ("bed", 30, 700), ("fill", 10, 500), ("fill", 30, 700),
          ("gas", 3, 2000), ("gas", 10, 2000), ("gas", 30, 2000), ("gas", 100, 2000),
-         ("dilute", 30, 2000), ("dense", 10, 2000), ("periodic_bed", 30, 2000)]
+         ("dilute", 30, 2000), ("dense", 10, 2000), ("periodic_bed", 30, 2000),
+         ("mesh_bed", 10, 500), ("drum", 3, 600), ("hopper", 3, 1000)]
 
 
 def counts(scene: str, aspect: int, count: int, builds: dict[str, Path], steps: int,

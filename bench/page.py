@@ -32,7 +32,8 @@ def values(table: pandas.DataFrame) -> dict:
 
     def in_meshes() -> list[dict]:
         """The cases of scenes with a mesh: the row of the rods, those in other walls and those glued."""
-        of_scenes = table[table["scene"].isin([name for name, scene in speed.SCENES.items() if scene.mesh])]
+        names = [name for name, scene in speed.SCENES.items() if scene.mesh]
+        of_scenes = table[table["scene"].isin(names)]
         return [{"rods": row(scene, aspect, count),
                  **{kind: [r for _, r in rows.iterrows() if r["code"].startswith(f"{kind} ")]
                     for kind in ("plugin", "multisphere")}}

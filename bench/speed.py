@@ -172,6 +172,9 @@ def start(scene: str, aspect: int, count: int, settings: dict, build: Path, fold
                        "--out", folder / "gas.data", build=build)
         lmp("start_gas", seconds=settings["fallen"] if s.floor else 0)
         (folder / "gas.data").unlink()
+    placed = int((folder / "dump.start").read_text().splitlines()[3])
+    if placed != count:
+        raise cases.CaseError(f"only {placed} rods could be placed")
     if s.spheres:
         one_sphere.settle(folder, count, settings)
         return
