@@ -121,7 +121,7 @@ def variables(scene: str, aspect: int, count: int, code: str = "plugin") -> dict
             "has_gravity": int(s.floor or bool(s.mesh)), "mesh": mesh or "none",
             "meshes": "drum parts" if mesh == "drum" else mesh or "none",
             "n_meshes": 2 if mesh == "drum" else int(bool(mesh)),
-            "from": "restart.primitive" if primitive else "restart.start"}
+            "from": "restart.start" if code == "plugin" else f"restart.{code}"}
 
 
 def peer_variables(scene: str, aspect: int, count: int, n: int, folder: Path) -> dict:
@@ -133,7 +133,7 @@ def peer_variables(scene: str, aspect: int, count: int, n: int, folder: Path) ->
 
 def start(scene: str, aspect: int, count: int, settings: dict, build: Path, folder: Path) -> None:
     """Leaves what the timed runs begin with: restart.start, and of the peers restart.peer.N or
-    spheres.data; of a bed in a mesh restart.primitive as well."""
+    spheres.data; and restart.CODE of the same rods in other walls."""
     s, values = SCENES[scene], variables(scene, aspect, count)
     shutil.rmtree(folder, ignore_errors=True)
     link_all(folder)
@@ -142,8 +142,6 @@ def start(scene: str, aspect: int, count: int, settings: dict, build: Path, fold
         cases.run_deck(folder, f"in.{deck}", {**values, **more}, build=build)
 
     if s.poured:
-        # A mesh of many triangles takes a minute to read; in its coarse twin rods come to rest alike.
-        coarser = s.beside if s.beside in meshes.TILES else "plugin"
         filling = settings["poured"] if s.rests else settings["filling"]
         lmp("fill", out=".", fill_time=filling, total_time=settings["rested"], limit_fill=0,
             dump_every=10_000_000, seed=settings["seed"], quick=int(s.quick))
@@ -151,14 +149,15 @@ def start(scene: str, aspect: int, count: int, settings: dict, build: Path, fold
             cases.run_deck(folder, "in.settle", {"out": ".", "limit_settle": 0,
                                                  "dump_every": 10_000_000}, build=build)
         poured = {"from": "restart.settle" if s.rests else "restart.fill"}
-        if s.mesh:
-            lmp("start_bed", **{**variables(scene, aspect, count, "primitive"), **poured}, seconds=0)
-            (folder / "restart.start").rename(folder / "restart.primitive")
-            for mesh in meshes.TILES.keys() & {s.mesh, s.beside}:
-                meshes.write(mesh, folder, values["vessel_diameter"] / 2,
-                             bed_top(folder / "dump.start") + aspect * DIAMETER / 2)
-        lmp("start_bed", **{**variables(scene, aspect, count, coarser), **poured},
-            seconds=settings["peer_settled"] if s.mesh else 0)
+        lmp("start_bed", **{**variables(scene, aspect, count, "primitive"), **poured}, seconds=0)
+        for mesh in meshes.TILES.keys() & {s.mesh, s.beside}:
+            meshes.write(mesh, folder, values["vessel_diameter"] / 2,
+                         bed_top(folder / "dump.start") + aspect * DIAMETER / 2)
+        # Each in its own walls: springs of contacts with a mesh are those of its triangles. The plug-in's last.
+        for code in reversed(codes_of_rods(scene)) if s.mesh else ():
+            walls = variables(scene, aspect, count, code)
+            lmp("start_bed", **{**walls, **poured}, seconds=settings["peer_settled"])
+            (folder / "restart.start").rename(folder / walls["from"])
     elif s.mesh:
         meshes.write(s.mesh, folder)
         lmp("start_machine", box=meshes.BOXES[s.mesh], placed=meshes.PLACED[s.mesh],

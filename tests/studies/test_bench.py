@@ -157,7 +157,7 @@ def test_variables_of_walls_and_of_meshes():
     assert chosen("mesh_bed") == (0, 0, 1, 1, "coarse", "restart.start")
     assert chosen("mesh_bed", "primitive") == (1, 1, 1, 0, "none", "restart.primitive")
     assert chosen("mesh_fine") == (0, 0, 1, 1, "fine", "restart.start")
-    assert chosen("mesh_fine", "coarse") == (0, 0, 1, 1, "coarse", "restart.start")
+    assert chosen("mesh_fine", "coarse") == (0, 0, 1, 1, "coarse", "restart.coarse")
     assert chosen("drum") == (0, 0, 1, 2, "drum parts", "restart.start")
     # The study's vessel; as much wider as 20 times the rods ask for.
     assert speed.variables("mesh_bed", 10, 500)["vessel_diameter"] == 0.21
