@@ -112,12 +112,11 @@ void FixParticletemplateSpherocylinder::parse_rod_keywords(int narg, char **arg)
         rod_error_all(lmp, "Fix %s (id %s): region %s does not exist", style, id, arg[i + 1]);
       container_ = domain->regions[iregion];
       if (strcmp(container_->style, "mesh/tet") == 0)
-        rod_error_all(
-            lmp,
-            "Fix %s (id %s): region %s of style mesh/tet cannot tell how far a rod's end "
-            "is from its surface; wanted a region of another style, or all_in yes in "
-            "the insertion command",
-            style, id, arg[i + 1]);
+        rod_error_all(lmp,
+                      "Fix %s (id %s): region %s of style mesh/tet cannot tell how far a rod's end "
+                      "is from its surface; wanted a region of another style, or all_in yes in "
+                      "the insertion command",
+                      style, id, arg[i + 1]);
       i++;
     }
   }

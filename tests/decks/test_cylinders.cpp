@@ -207,7 +207,7 @@ TEST(OutsideOfACylinder, RodSlidesInAGroove)
   EXPECT_NEAR(frames.back().rods[0].position.y, 0.0, 1e-9);
 }
 
-// Two bars that turn inwards carry a rod that lies across them to neither side; one alone throws it.
+// A bar that turns under a rod that lies along it drags it with mu g while it slides.
 TEST(OutsideOfACylinder, TurningBarDragsARod)
 {
   Scene scene;
@@ -360,6 +360,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "radius 0.005"},
         Refusal{"TooNarrow", "variable r equal 0.006-0.0001*step\n" TUBE "ycylinder v_r 0.0 0.0\n",
                 "the cylinder's radius 0.005 must be larger than that of the thickest rod"},
+        Refusal{"NoName", TUBE "zcylinder v_ 0.0 0.0\n",
+                "v_ must be followed by the name of a variable"},
+        Refusal{"PostAtAPeriodicFace",
+                "change_box all boundary p p f\n" TUBE "zcylinder 0.1 -0.87 0.0\n",
+                "must lie within the box, -1 to 1, by half the length of the longest rod outside"},
         Refusal{
             "NoVariable", TUBE "zcylinder v_r 0.0 0.0\n",
             "variable r for the cylinder's radius must be of style equal (got none of this name)"}),
