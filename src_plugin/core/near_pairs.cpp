@@ -9,8 +9,11 @@ namespace spherocylinder {
 
 namespace {
 
-// Cells a cube on an axis: more of them are a waste of memory where rods are few and far between.
-constexpr double kCellsPerCube = 8.0;
+// Buckets a cube on an axis: each is entered in some four cells of its own.
+constexpr double kBucketsPerCube = 4.0;
+// Cells in a dimension: so that their numbers are whole numbers, whatever the space between the rods.
+constexpr double kMostCells = 1e6;
+constexpr int kNone = -1, kGone = -1;
 
 Vec3 smaller(const Vec3 &a, const Vec3 &b)
 {
@@ -50,47 +53,75 @@ int NearPairs::cubes_on(const Segment &segment) const
   return std::max(1, static_cast<int>(std::ceil(2.0 * segment.half_length / spacing_)));
 }
 
-void NearPairs::lay_grid(const std::vector<Capsule> &rods, int owned, double gap)
+// Of its tube, from the centre.
+Vec3 NearPairs::extent_of(const Capsule &rod) const
+{
+  const double around = rod.radius + 0.5 * (gap_ + spacing_);
+  return rod.segment.half_length * absolute(rod.segment.axis) + Vec3{around, around, around};
+}
+
+bool NearPairs::lies_in_grid(const Capsule &rod) const
+{
+  const Vec3 extent = extent_of(rod);
+  const Vec3 low = rod.segment.centre - extent, high = rod.segment.centre + extent;
+  return low_.x <= low.x && low_.y <= low.y && low_.z <= low.z && high.x <= high_.x &&
+         high.y <= high_.y && high.z <= high_.z;
+}
+
+void NearPairs::lay_grid(const std::vector<Capsule> &rods)
 {
   double mean_radius = 0.0;
-  for (int i = 0; i < owned; i++) mean_radius += rods[i].radius / owned;
-  const double reach = 2.0 * mean_radius + gap;
+  for (int i = 0; i < owned_; i++) mean_radius += rods[i].radius / owned_;
+  const double reach = 2.0 * mean_radius + gap_;
   spacing_ = 0.5 * reach;
 
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec3 low = {kInfinity, kInfinity, kInfinity}, high = -low;
   double cubes = 0.0;
-  for (int i = 0; i < owned; i++) {
+  for (int i = 0; i < owned_; i++) {
     const Segment &segment = rods[i].segment;
-    const double around = rods[i].radius + 0.5 * (gap + spacing_);
-    const Vec3 extent = segment.half_length * absolute(segment.axis) + Vec3{around, around, around};
+    const Vec3 extent = extent_of(rods[i]);
     low = smaller(low, segment.centre - extent);
     high = larger(high, segment.centre + extent);
     cubes += cubes_on(segment);
   }
+  make_buckets(cubes);
 
-  nx_ = ny_ = nz_ = 0;
   if (!(low.x <= high.x && low.y <= high.y && low.z <= high.z)) return;  // no rod has a place
-  const Vec3 size = high - low;
   double edge = reach + spacing_;
-  const double most = kCellsPerCube * cubes + 1000.0;
-  const auto cells = [](double length, double cell) { return std::floor(length / cell) + 1.0; };
-  while (cells(size.x, edge) * cells(size.y, edge) * cells(size.z, edge) > most) edge *= 1.25;
-  low_ = low;
+  const Vec3 space = {edge, edge, edge};
+  low_ = low - space;
+  high_ = high + space;
+  const Vec3 size = high_ - low_;
+  edge = std::max(edge, std::max({size.x, size.y, size.z}) / kMostCells);
   cells_a_metre_ = 1.0 / edge;
-  nx_ = static_cast<int>(cells(size.x, edge));
-  ny_ = static_cast<int>(cells(size.y, edge));
-  nz_ = static_cast<int>(cells(size.z, edge));
+  const auto cells = [&](double length) { return static_cast<int>(length * cells_a_metre_) + 1; };
+  nx_ = cells(size.x);
+  ny_ = cells(size.y);
+  nz_ = cells(size.z);
+  // Odd, so that cells of one column come into different buckets.
+  row_ = static_cast<uint32_t>(nx_) | 1u;
+  plane_ = row_ * (static_cast<uint32_t>(ny_) | 1u);
+}
+
+void NearPairs::make_buckets(double cubes)
+{
+  uint32_t buckets = 64;
+  while (buckets < kBucketsPerCube * cubes && buckets < (1u << 30)) buckets *= 2;
+  bucket_bits_ = buckets - 1;
+  last_of_bucket_.assign(buckets, kNone);
 }
 
 // The cells of a rod, each once. Along the axis the rows of cells that a cube reaches move one way in each
 // dimension: a cell of a cube and of any before it is one of the cube just before it.
-void NearPairs::enter_rod(const Capsule &rod, double gap)
+void NearPairs::enter(int i, const Capsule &rod)
 {
+  Entries &own = of_rods_[i];
+  own.first = own.end = static_cast<int>(entries_.size());
   const Segment &segment = rod.segment;
   const int cubes = cubes_on(segment);
   const double step = 2.0 * segment.half_length / cubes;
-  const double half = (rod.radius + 0.5 * (gap + step)) * cells_a_metre_;
+  const double half = (rod.radius + 0.5 * (gap_ + step)) * cells_a_metre_;
   const Vec3 middle = cells_a_metre_ * (segment.centre - low_);
   const Vec3 along = cells_a_metre_ * segment.axis;
 
@@ -121,12 +152,13 @@ void NearPairs::enter_rod(const Capsule &rod, double gap)
     const Rows x(place.x, half, nx_), y(place.y, half, ny_), z(place.z, half, nz_);
     for (int iz = z.first; iz <= z.last; iz++)
       for (int iy = y.first; iy <= y.last; iy++) {
+        const uint32_t first_of_row = iz * plane_ + iy * row_;
         const bool row_before = z_before.has(iz) && y_before.has(iy);
         for (int ix = x.first; ix <= x.last; ix++) {
           if (row_before && x_before.has(ix)) continue;
-          const int cell = (iz * ny_ + iy) * nx_ + ix;
-          first_of_cell_[cell]++;
-          cells_of_rods_.push_back(cell);
+          int &last = last_of_bucket_[(first_of_row + ix) & bucket_bits_];
+          entries_.push_back({i, last});
+          last = own.end++;
         }
       }
     x_before = x;
@@ -135,31 +167,24 @@ void NearPairs::enter_rod(const Capsule &rod, double gap)
   }
 }
 
-// The cells of each rod, then the rods of each cell.
-void NearPairs::enter_rods(const std::vector<Capsule> &rods, double gap)
+// The rods that i shares cells with become candidates, of those entered before it.
+void NearPairs::look_up(const std::vector<Capsule> &rods, int i)
 {
-  const int n = static_cast<int>(rods.size());
-  const int n_cells = nx_ * ny_ * nz_;
-  first_of_cell_.assign(n_cells + 1, 0);
-  first_of_rod_.resize(n + 1);
-  cells_of_rods_.clear();
-  for (int i = 0; i < n; i++) {
-    first_of_rod_[i] = static_cast<int>(cells_of_rods_.size());
-    enter_rod(rods[i], gap);
-  }
-  first_of_rod_[n] = static_cast<int>(cells_of_rods_.size());
-
-  // first_of_cell_ holds counts; turned into ends, then, filling from the back, into beginnings.
-  for (int cell = 0, end = 0; cell <= n_cells; cell++)
-    first_of_cell_[cell] = end += first_of_cell_[cell];
-  rods_in_cells_.resize(cells_of_rods_.size());
-  for (int i = n - 1; i >= 0; i--)
-    for (int k = first_of_rod_[i]; k < first_of_rod_[i + 1]; k++)
-      rods_in_cells_[--first_of_cell_[cells_of_rods_[k]]] = i;
+  candidates_.clear();
+  last_seen_[i] = ++look_ups_;
+  for (int k = of_rods_[i].first; k < of_rods_[i].end; k++)
+    for (int m = entries_[k].before; m != kNone; m = entries_[m].before) {
+      const int j = entries_[m].rod;
+      if (j == kGone || last_seen_[j] == look_ups_) continue;
+      last_seen_[j] = look_ups_;
+      candidates_.push_back(j);
+    }
+  tried_ += static_cast<int64_t>(candidates_.size());
+  keep_near(rods, i);
 }
 
 // Of the candidates, those near rod i.
-void NearPairs::keep_near(const std::vector<Capsule> &rods, int i, double gap)
+void NearPairs::keep_near(const std::vector<Capsule> &rods, int i)
 {
   const int n = static_cast<int>(candidates_.size());
   for (int start = 0; start < n; start += kBatch) {
@@ -167,7 +192,7 @@ void NearPairs::keep_near(const std::vector<Capsule> &rods, int i, double gap)
     const int *js = &candidates_[start];
     for (int k = 0; k < count; k++)
       batch_.set(k, rods[i].segment, rods[js[k]].segment,
-                 rods[i].radius + rods[js[k]].radius + gap);
+                 rods[i].radius + rods[js[k]].radius + gap_);
     closest_points(batch_);
     for (int k = 0; k < count; k++) {
       if (batch_.uncertain[k] != 0.0) make_certain(batch_, k, rods[i].segment, rods[js[k]].segment);
@@ -177,34 +202,53 @@ void NearPairs::keep_near(const std::vector<Capsule> &rods, int i, double gap)
   }
 }
 
+// Entered from the last to the first: before a rod's entries are those of higher number.
 void NearPairs::find(const std::vector<Capsule> &rods, int owned, double gap)
 {
+  owned_ = owned;
+  gap_ = gap;
   first_.assign(owned + 1, 0);
   partners_.clear();
-  cells_of_rods_.clear();
-  tried_ = 0;
+  entries_.clear();
+  of_rods_.assign(rods.size(), {0, 0});
+  cells_ = tried_ = 0;
+  nx_ = ny_ = nz_ = 0;
   if (owned == 0) return;
-  lay_grid(rods, owned, gap);
-  enter_rods(rods, gap);
+  lay_grid(rods);
+  for (int i = static_cast<int>(rods.size()) - 1; i >= 0; i--) enter(i, rods[i]);
+  cells_ = static_cast<int64_t>(entries_.size());
+  most_entries_ = 2 * entries_.size();
 
-  last_seen_.assign(rods.size(), -1);
+  last_seen_.assign(rods.size(), 0);
+  look_ups_ = 0;
   for (int i = 0; i < owned; i++) {
     first_[i] = static_cast<int>(partners_.size());
-    candidates_.clear();
-    for (int k = first_of_rod_[i]; k < first_of_rod_[i + 1]; k++) {
-      const int cell = cells_of_rods_[k];
-      for (int m = first_of_cell_[cell + 1] - 1; rods_in_cells_[m] > i; m--) {
-        const int j = rods_in_cells_[m];
-        if (last_seen_[j] == i) continue;
-        last_seen_[j] = i;
-        candidates_.push_back(j);
-      }
-    }
-    tried_ += static_cast<int64_t>(candidates_.size());
-    std::sort(candidates_.begin(), candidates_.end());
-    keep_near(rods, i, gap);
+    look_up(rods, i);
+    std::sort(partners_.begin() + first_[i], partners_.end());
   }
   first_[owned] = static_cast<int>(partners_.size());
+}
+
+bool NearPairs::find_again(const std::vector<Capsule> &rods, const std::vector<int> &moved)
+{
+  if (rods.size() != of_rods_.size() || entries_.size() > most_entries_) return false;
+  for (const int i : moved)
+    if (i < owned_ && !lies_in_grid(rods[i])) return false;
+
+  cells_ = tried_ = 0;
+  found_.clear();
+  if (owned_ == 0) return true;
+  for (const int i : moved)
+    for (int k = of_rods_[i].first; k < of_rods_[i].end; k++) entries_[k].rod = kGone;
+  for (const int i : moved) {
+    enter(i, rods[i]);
+    cells_ += of_rods_[i].end - of_rods_[i].first;
+    partners_.clear();
+    look_up(rods, i);
+    for (const int j : partners_)
+      if (std::min(i, j) < owned_) found_.push_back({std::min(i, j), std::max(i, j)});
+  }
+  return true;
 }
 
 }  // namespace spherocylinder

@@ -2,6 +2,7 @@
 // The grid search against the test of every pair.
 #include "core/near_pairs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -98,6 +99,50 @@ TEST_P(NearPairsOf, AreThoseOfTheSlowSearch)
         found += slow.size();
       }
   EXPECT_GT(found, 1000u);
+}
+
+// Some rods and ghosts move, again and again: their pairs, and only theirs, each once. Far moves leave the
+// grid, which all are entered in anew then.
+TEST_P(NearPairsOf, AreFoundAgainOfRodsThatMoved)
+{
+  RandomRods random(32452843);
+  NearPairs near;
+  size_t found = 0;
+  int again = 0, anew = 0;
+  for (const bool ghosts : {false, true}) {
+    std::vector<Capsule> rods = make(GetParam(), 1.0, 300, random);
+    const int owned = ghosts ? 150 : 300;
+    constexpr double kGap = 1.37;
+    near.find(rods, owned, kGap);
+    for (int turn = 0; turn < 24; turn++) {
+      std::vector<int> moved;
+      for (int i = random.below(20); i < 300; i += 1 + random.below(40)) moved.push_back(i);
+      const double far = turn % 12 == 11 ? 100.0 : 2.0;
+      for (const int i : moved) {
+        rods[i].segment.centre = rods[i].segment.centre + random.vector(far);
+        rods[i].segment.axis = random.direction();
+      }
+      if (!near.find_again(rods, moved)) {
+        anew++;
+        near.find(rods, owned, kGap);
+        continue;
+      }
+      again++;
+      Pairs pairs, slow;
+      for (const NearPairs::Pair &pair : near.found()) pairs.emplace_back(pair.i, pair.j);
+      std::sort(pairs.begin(), pairs.end());
+      const auto has_moved = [&](int i) {
+        return std::binary_search(moved.begin(), moved.end(), i);
+      };
+      for (const auto &[i, j] : by_trying_all(rods, owned, kGap))
+        if (has_moved(i) || has_moved(j)) slow.emplace_back(i, j);
+      ASSERT_EQ(pairs, slow) << "turn " << turn;
+      found += slow.size();
+    }
+  }
+  EXPECT_GT(found, 200u);
+  EXPECT_GT(again, 10);
+  EXPECT_GT(anew, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Beds, NearPairsOf,
