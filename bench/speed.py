@@ -47,6 +47,7 @@ class Scene:
     floor: bool = False
     poured: bool = False   # by in.fill, else from place_rods
     rests: bool = False    # the rods do, by in.settle, after they were poured
+    until: str = "filling"  # which of the settings the filling lasts where they do not
     spheres: bool = False  # the peers are as many spheres, else glued rods
     settles: bool = False  # glued rods do, before they are timed
     skin: float = 0.8      # of the peer, in diameters: near the fastest of 0.1 to 1.6
@@ -58,6 +59,8 @@ class Scene:
 
 SCENES = {"bed": Scene(side=True, floor=True, poured=True, rests=True, settles=True, skin=0.2),
           "fill": Scene(side=True, floor=True, poured=True),
+          "fill_wide": Scene(side=True, floor=True, poured=True),
+          "settle": Scene(side=True, floor=True, poured=True, until="settling"),
           "gas": Scene(), "dilute": Scene(), "dense": Scene(),
           "periodic_bed": Scene(floor=True, settles=True, skin=0.2),
           "sphere_bed": Scene(side=True, floor=True, poured=True, rests=True, spheres=True),
@@ -109,11 +112,18 @@ def link_all(folder: Path) -> None:
     cases.link_decks(folder, decks)
 
 
+def vessel_diameter(scene: str, aspect: int, count: int) -> float:
+    """The study's, which is of 500 rods of lambda 10 and 700 of others; wider for more, so that they come to
+    lie as deep, those of mesh_fine as deep for their width (m)."""
+    of_study = 500 if aspect == 10 else 700
+    power = 1 / 3 if scene == "mesh_fine" else 1 / 2
+    return (0.02 * aspect + 0.01) * max(1.0, count / of_study)**power
+
+
 def variables(scene: str, aspect: int, count: int, code: str = "plugin") -> dict:
     s = SCENES[scene]
-    vessel = round(0.02 * aspect + 0.01, 12) if s.poured else 0.01
-    if scene == "mesh_fine":  # as high, for its width, as 500 rods
-        vessel = round(vessel * (count / 500)**(1 / 3), 3)
+    digits = 3 if scene == "mesh_fine" else 12
+    vessel = round(vessel_diameter(scene, aspect, count), digits) if s.poured else 0.01
     primitive = code == "primitive"
     mesh = "" if primitive else code if code in meshes.TILES else s.mesh
     return {"lambda": aspect, "rods": count, "vessel_diameter": vessel,
@@ -142,7 +152,7 @@ def start(scene: str, aspect: int, count: int, settings: dict, build: Path, fold
         cases.run_deck(folder, f"in.{deck}", {**values, **more}, build=build)
 
     if s.poured:
-        filling = settings["poured"] if s.rests else settings["filling"]
+        filling = settings["poured" if s.rests else s.until]
         lmp("fill", out=".", fill_time=filling, total_time=settings["rested"], limit_fill=0,
             dump_every=10_000_000, seed=settings["seed"], quick=int(s.quick))
         if s.rests:

@@ -165,8 +165,8 @@ def test_variables_of_walls_and_of_meshes():
 
 
 @pytest.mark.parametrize("settings, sentence", [
-    (["scenes=[bad]"], "bench: scenes must be of bed, fill, gas, dilute, dense, periodic_bed, sphere_bed, "
-     "mesh_bed, mesh_fine, drum, hopper (got 'bad')"),
+    (["scenes=[bad]"], "bench: scenes must be of bed, fill, fill_wide, settle, gas, dilute, dense, "
+     "periodic_bed, sphere_bed, mesh_bed, mesh_fine, drum, hopper (got 'bad')"),
     (["sphere_gravity=0"], "bench: sphere_gravity must be a number >= 1 (got 0)"),
     (["sphere_settled=long"], "bench: sphere_settled must be a number >= 0 (got long)"),
     (["sphere_skin=0.1"], "bench: sphere_skin must be a mapping {KEY: VALUE} (got 0.1)"),
