@@ -7,35 +7,29 @@
 #include "atom.h"
 #include "comm.h"
 #include "core/rotation.h"
-#include "core/skin.h"
 #include "domain.h"
 #include "host/host_limits.h"
 #include "host/rod_error.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
 namespace {
 
-// Skins to begin with, in mean diameters.
-constexpr double kFirstSkin = 0.3;
-constexpr double kFirstListSkin = 1.0;
-constexpr double kPairsToBeginWith = 8.0;  // of a rod's own half, in the list
-// Where chosen: bounds, and when: after so many renewals, which take some steps, or steps. In fewer, rods
-// have hardly moved through the narrow skin.
-constexpr double kThinnest = 0.05, kWidest = 1.0;
-constexpr double kNarrowestBeyond = 0.5, kWidestBeyond = 4.0;
-constexpr int64_t kRenewalsToChoose = 3, kFewestSteps = 200, kMostSteps = 2000;
+// Of its half of the outer skin, what a rod has used up that is found again with one that has used up
+// all.
+constexpr double kUsedUp = 0.5;
+// Of rods and ghosts, more than so many are found again with all the others.
+constexpr double kMostFoundAgain = 0.4;
 
-// What the parts cost, in nanoseconds on the machine they were measured on; their ratios are what
-// counts. A close pair is gathered and its closest points found, every step; a refresh of the close
-// pairs walks along the list and finds the closest points of the pairs of rods that moved; a renewal of
-// the list enters rods in cells and finds the closest points of those that share one.
-constexpr double kTestCost = 15.0, kWalkCost = 1.5, kLookCost = 30.0;
-constexpr double kCellCost = 45.0, kTryCost = 25.0;
+// How often rods are looked for that have become slow and have wide skins, in steps; how many times
+// too wide.
+constexpr int64_t kStepsBetweenLooks = 200;
+constexpr double kTooWide = 2.0;
 
 }  // namespace
 
@@ -43,10 +37,8 @@ void CloseRodPairs::reset(const PairGran &pair, double skin)
 {
   leave_lists_unbuilt(*neighbor, &pair);  // they are filled here
   counts_ = RodPairCounts();
-  work_ = Work();
+  skins_.reset(skin);
   seen_builds_ = -1;
-  skin_is_chosen_ = skin == 0.0;
-  if (!skin_is_chosen_) skin_ = skin;
 }
 
 // neighbor->ago is 0 in a second step, too, if a run goes on with `pre no` after a step that built.
@@ -73,16 +65,65 @@ double CloseRodPairs::twice_shift_squared(const Segment &now, const Segment &the
                 now.half_length * now.half_length * norm_squared(now.axis - then.axis));
 }
 
-// Gives a rod that has moved through half the skin, or any rod (`all`), a new reference pose. False if it
-// may move through half the outer skin before it gets another.
-bool CloseRodPairs::follow(int i, const Capsule &rod, bool all)
+// Of the fastest point of its surface, a spin about the axis left out (m/s).
+double CloseRodPairs::speed_of(int i) const
 {
-  const double half = 0.5 * skin_, rest = 0.5 * (list_skin_ - skin_);
-  moved_[i] = all || twice_shift_squared(rod.segment, reference_[i].segment) > half * half;
-  if (!moved_[i]) return true;
-  any_moved_ = true;
+  return norm(load(atom->v[i])) +
+         list_reference_[i].segment.half_length * norm(load(atom->omega[i]));
+}
+
+double CloseRodPairs::mean_root_speed() const
+{
+  double sum = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) sum += std::sqrt(speed_of(i));
+  return sum / std::max(1, atom->nlocal);
+}
+
+// The rod gets a new reference pose, from which it may move by `half`.
+void CloseRodPairs::move(int i, const Capsule &rod, double half)
+{
   reference_[i] = rod;
-  return twice_shift_squared(rod.segment, list_reference_[i]) <= rest * rest;
+  reference_[i].radius += half;
+  if (moved_[i]) return;
+  moved_[i] = 1;
+  moved_rods_.push_back(i);
+}
+
+// The same in both lists.
+void CloseRodPairs::list_at(int i, const Capsule &rod)
+{
+  const double speed = speed_of(i), half = skins_.close_half(speed);
+  list_reference_[i] = rod;
+  list_reference_[i].radius += half + skins_.beyond_half(speed);
+  move(i, rod, half);
+}
+
+// What a rod may move by in any case, before its pairs are looked at again.
+double CloseRodPairs::least_half(double speed) const
+{
+  return std::min(skins_.close_half(), skins_.close_half(speed));
+}
+
+bool CloseRodPairs::has_used_up_skin(int i, const Capsule &rod) const
+{
+  const double half = reference_[i].radius - rod.radius;
+  return twice_shift_squared(rod.segment, reference_[i].segment) > half * half;
+}
+
+// Moves a rod. False if it may come through its half of the outer skin before it moves again.
+bool CloseRodPairs::move_on(int i, const Capsule &rod)
+{
+  const double shift = std::sqrt(twice_shift_squared(rod.segment, list_reference_[i].segment));
+  const double left = list_reference_[i].radius - rod.radius - shift;
+  const double speed = speed_of(i), least = least_half(speed);
+  move(i, rod, std::clamp(left, least, skins_.close_half(speed)));
+  return left >= least;
+}
+
+// Of a rod that has become slow: its pairs are tested for nothing.
+bool CloseRodPairs::is_skin_too_wide(int i, const Capsule &rod) const
+{
+  return reference_[i].radius - rod.radius > kTooWide * skins_.close_half(speed_of(i));
 }
 
 // False if a ghost may have used up its half of the outer skin. Of ghosts that are in no listed pair
@@ -92,14 +133,14 @@ bool CloseRodPairs::ghosts_stay() const
 {
   if (comm->nprocs == 1 && list_box_ == box_size()) return true;
   const int owned = atom->nlocal;
-  double farthest = 0.0;
   for (int i = owned; i < owned + atom->nghost; i++) {
-    const Segment &then = list_reference_[i];
+    const Segment &then = list_reference_[i].segment;
     const Segment now = {load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
                          then.half_length};
-    farthest = std::max(farthest, twice_shift_squared(now, then));
+    const double own = list_reference_[i].radius - radii_[i];
+    if (twice_shift_squared(now, then) > own * own) return false;
   }
-  return farthest <= 0.25 * list_skin_ * list_skin_;
+  return true;
 }
 
 std::array<double, 3> CloseRodPairs::box_size() const
@@ -107,36 +148,47 @@ std::array<double, 3> CloseRodPairs::box_size() const
   return {domain->xprd, domain->yprd, domain->zprd};
 }
 
-// False if the outer list has to be renewed.
-bool CloseRodPairs::look(PairGran &pair, const std::vector<Capsule> &rods)
+// LIGGGHTS has stored the histories and put its rods in order. Mostly, within a run on one rank, each is
+// where it was, and so are its pairs and their histories in the list. Ghosts may be other rods or images.
+bool CloseRodPairs::list_goes_on(PairGran &pair, const std::vector<Capsule> &rods)
 {
-  const double skin = skin_, list_skin = list_skin_;
-  const bool enough = work_.renewals >= kRenewalsToChoose && work_.steps >= kFewestSteps;
-  if (enough || work_.steps >= kMostSteps) choose_skins();
-  if (list_skin_ != list_skin) return false;
-
-  const bool all = skin_ != skin;
-  bool lasts = true;
-  any_moved_ = false;
-  const int owned = atom->nlocal;
-  for (int i = 0; i < owned; i++) lasts &= follow(i, rods[i], all);
-  for (const int i : tracked_ghosts()) lasts &= follow(i, rods[i], all);
-  if (!lasts || !ghosts_stay()) {
-    if (!skins_are_tried_) widen_list();
+  const Update &now = *Pointers::update;
+  const bool run_begins = now.setupflag || now.ntimestep <= now.firststep + 1;
+  if (run_begins || comm->nprocs > 1 || atom->nghost > 0 || rods.size() != list_reference_.size() ||
+      !list_.is_of_present_rods())
     return false;
-  }
-  if (!any_moved_) return true;
-  work_.looked_at += walk(pair);
-  work_.walked += list_.pairs();
-  counts_.refreshes++;
-  counts_.close_skin = skin_;
-  return true;
+  for (size_t i = 0; i < rods.size(); i++)
+    if (rods[i].radius != radii_[i] ||
+        rods[i].segment.half_length != list_reference_[i].segment.half_length)
+      return false;
+  return list_.goes_on(pair);
+}
+
+CloseRodPairs::Wanted CloseRodPairs::look(const std::vector<Capsule> &rods)
+{
+  const double close = skins_.close();
+  if (skins_.is_time_to_choose(static_cast<int>(rods.size())) && skins_.choose(mean_root_speed()))
+    return Wanted::AllPairs;
+
+  const bool all = skins_.close() != close, may_be_slow = counts_.steps % kStepsBetweenLooks == 0;
+  const auto is_to_move = [&](int i) {
+    return has_used_up_skin(i, rods[i]) || all || (may_be_slow && is_skin_too_wide(i, rods[i]));
+  };
+  bool lasts = true;
+  const int owned = atom->nlocal;
+  for (int i = 0; i < owned; i++)
+    if (is_to_move(i)) lasts &= move_on(i, rods[i]);
+  for (const int i : tracked_ghosts())
+    if (is_to_move(i)) lasts &= move_on(i, rods[i]);
+  if (!lasts || !ghosts_stay())
+    return skins_.widen(owned, list_.pairs()) ? Wanted::AllPairs : Wanted::SomePairs;
+  return moved_rods_.empty() ? Wanted::Nothing : Wanted::ClosePairs;
 }
 
 void CloseRodPairs::count_step()
 {
-  work_.steps++;
-  work_.tested += static_cast<int64_t>(entries_.size());
+  skins_.work.steps++;
+  skins_.work.tested += static_cast<int64_t>(entries_.size());
   counts_.steps++;
   counts_.close = static_cast<int64_t>(entries_.size());
 }
@@ -144,100 +196,179 @@ void CloseRodPairs::count_step()
 bool CloseRodPairs::is_close(int i, int j) const
 {
   const Segment &a = reference_[i].segment, &b = reference_[j].segment;
-  const double reach = reference_[i].radius + reference_[j].radius + skin_;
+  const double reach = reference_[i].radius + reference_[j].radius;
   if (lines_are_apart(a, b, reach)) return false;
   return closest_points(a, b).distance_squared < reach * reach;
 }
 
-// Looks again at the pairs of rods that have moved, and says how many. entries_ is in the order of the
-// list: both are walked at once. Pairs with a contact flag are always kept: their parting must be seen.
-int64_t CloseRodPairs::walk(PairGran &pair)
+// The rods to be found again: all that have used up a good part of their half of the outer skin, so
+// that it is some time until the next ones have. Ghosts of one rank are found again when the rods are whose
+// images they are. False if that is not known, or rods are too many.
+bool CloseRodPairs::choose_moved(const std::vector<Capsule> &rods)
 {
-  const NeighList &list = *pair.list;
-  int **contact_flags = list.listgranhistory ? list.listgranhistory->firstneigh : nullptr;
-  next_entries_.clear();
-  int64_t looked_at = 0;
-  size_t old = 0;
-  for (int i = 0; i < list.inum; i++) {
-    const int *neighbours = list.firstneigh[i];
-    const int count = list.numneigh[i];
-    const bool moved_i = moved_[i];
-    for (int index = 0; index < count; index++) {
-      const int j = neighbours[index];
-      const bool was_close =
-          old < entries_.size() && entries_[old].i == i && entries_[old].index == index;
-      old += was_close;
-      bool close = was_close;
-      if (moved_i || moved_[j]) {
-        looked_at++;
-        close = (contact_flags && contact_flags[i][index]) || is_close(i, j);
-      }
-      if (close) next_entries_.push_back({i, j, index, atom->tag[j] < atom->tag[i]});
-    }
+  const int owned = atom->nlocal, nall = owned + atom->nghost;
+  const bool are_images = comm->nprocs == 1;
+  if (list_box_ != box_size() || (are_images && nall > owned && !atom->map_style)) return false;
+  const auto is_used_up = [&](int i) {
+    const double least = least_half(speed_of(i));
+    const double used = kUsedUp * std::max(0.0, list_reference_[i].radius - rods[i].radius - least);
+    return twice_shift_squared(rods[i].segment, list_reference_[i].segment) >= used * used;
+  };
+  found_again_.clear();
+  is_found_again_.assign(nall, 0);
+  for (int i = 0; i < nall; i++) {
+    const int image_of = i < owned || !are_images ? i : atom->map(atom->tag[i]);
+    if (image_of < 0 || (i >= owned && are_images && image_of >= owned)) return false;
+    is_found_again_[i] = image_of < i ? is_found_again_[image_of] : is_used_up(i);
+    if (is_found_again_[i]) found_again_.push_back(i);
   }
+  return static_cast<double>(found_again_.size()) <= kMostFoundAgain * nall;
+}
+
+bool CloseRodPairs::renew_some(PairGran &pair, const std::vector<Capsule> &rods)
+{
+  if (!choose_moved(rods)) return false;
+  for (const int i : found_again_) list_at(i, rods[i]);
+  if (!list_.renew_some(pair, list_reference_, found_again_, is_found_again_)) return false;
+  for (const int i : list_.new_ghosts())
+    if (!is_found_again_[i]) move(i, rods[i], least_half(speed_of(i)));
+
+  skins_.work.renewed += static_cast<int64_t>(found_again_.size());
+  skins_.work.cells += list_.search().cells();
+  skins_.work.tried += list_.search().tried();
+  counts_.renewals++;
+  counts_.listed = list_.pairs();
+  counts_.list_skin = skins_.listed();
+  for (const int i : list_.changed_rows()) row_changes_[i] = 1;
+  return true;
+}
+
+// The rows in which a moved rod is.
+void CloseRodPairs::see_changed_rows()
+{
+  const int rows = static_cast<int>(row_changes_.size());
+  for (const int m : moved_rods_) {
+    if (m < rows) row_changes_[m] = 1;
+    for (const int *i = list_.holders().begin(m); i != list_.holders().end(m); i++)
+      row_changes_[*i] = 1;
+  }
+}
+
+// Of one row the close pairs, which are those of before but of rods that have moved. Pairs with a contact
+// flag are always kept: their parting must be seen.
+void CloseRodPairs::remake_row(const NeighList &list, int i)
+{
+  const int *flags = list.listgranhistory ? list.listgranhistory->firstneigh[i] : nullptr;
+  const int *neighbours = list.firstneigh[i];
+  const int count = list.numneigh[i];
+  const bool moved_i = moved_[i];
+  int old = first_entry_[i];
+  const int old_end = first_entry_[i + 1];
+  for (int index = 0; index < count; index++) {
+    const int j = neighbours[index];
+    while (old < old_end && entries_[old].j < j) old++;
+    bool close = old < old_end && entries_[old].j == j;
+    if (moved_i || moved_[j]) {
+      skins_.work.looked_at++;
+      close = (flags && flags[index]) || is_close(i, j);
+    }
+    if (close) changed_entries_.push_back({i, j, index, atom->tag[j] < atom->tag[i]});
+  }
+  skins_.work.walked += count;
+}
+
+void CloseRodPairs::refresh(PairGran &pair)
+{
+  see_changed_rows();
+  remake_rows(pair);
+  counts_.refreshes++;
+}
+
+// Looks again at the pairs of rods that have moved.
+void CloseRodPairs::remake_rows(PairGran &pair)
+{
+  changed_rows_.clear();
+  changed_entries_.clear();
+  bool fit = true;
+  const int rows = static_cast<int>(row_changes_.size());
+  for (int i = 0; i < rows; i++) {
+    if (!row_changes_[i]) continue;
+    const size_t before = changed_entries_.size();
+    remake_row(*pair.list, i);
+    const int count = static_cast<int>(changed_entries_.size() - before);
+    changed_rows_.push_back({i, count});
+    fit &= count == first_entry_[i + 1] - first_entry_[i];
+  }
+  put_rows(fit);
+
+  for (const int i : moved_rods_) moved_[i] = 0;
+  moved_rods_.clear();
+  for (const ChangedRow &changed : changed_rows_) row_changes_[changed.row] = 0;
+  counts_.close_skin = skins_.close();
+}
+
+// The rows between those that changed are copied as blocks, if any has become longer or shorter.
+void CloseRodPairs::put_rows(bool fit)
+{
+  auto own = changed_entries_.cbegin();
+  if (fit) {
+    for (const ChangedRow &changed : changed_rows_) {
+      std::copy_n(own, changed.count, entries_.begin() + first_entry_[changed.row]);
+      own += changed.count;
+    }
+    return;
+  }
+  next_entries_.clear();
+  auto kept = entries_.cbegin();
+  size_t row = 0;
+  int shift = 0;
+  for (const ChangedRow &changed : changed_rows_) {
+    const size_t i = changed.row;
+    const auto begin = entries_.cbegin() + first_entry_[i],
+               end = entries_.cbegin() + first_entry_[i + 1];
+    for (; row <= i; row++) first_entry_[row] += shift;
+    next_entries_.insert(next_entries_.end(), kept, begin);
+    next_entries_.insert(next_entries_.end(), own, own + changed.count);
+    own += changed.count;
+    kept = end;
+    shift += changed.count - static_cast<int>(end - begin);
+  }
+  for (; row < first_entry_.size(); row++) first_entry_[row] += shift;
+  next_entries_.insert(next_entries_.end(), kept, entries_.cend());
   entries_.swap(next_entries_);
-  return looked_at;
 }
 
 void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool migrated)
 {
-  diameter_ = 0.0;
-  for (const Capsule &rod : rods) diameter_ += 2.0 * rod.radius / static_cast<double>(rods.size());
-  if (list_skin_ == 0.0) {
-    if (skin_is_chosen_) skin_ = kFirstSkin * diameter_;
-    list_skin_ = kFirstListSkin * diameter_;
+  double diameter = 0.0;
+  for (const Capsule &rod : rods) diameter += 2.0 * rod.radius / static_cast<double>(rods.size());
+  list_reference_ = rods;
+  skins_.begin(diameter, mean_root_speed());
+
+  const int count = static_cast<int>(rods.size());
+  reference_.resize(count);
+  radii_.resize(count);
+  moved_.assign(count, 0);
+  moved_rods_.clear();
+  for (int i = 0; i < count; i++) {
+    radii_[i] = rods[i].radius;
+    list_at(i, rods[i]);
   }
-  list_skin_ = std::max(list_skin_, skin_ + kNarrowestBeyond * diameter_);
-
-  list_.renew(pair, rods, list_skin_, migrated);
-
+  list_.renew(pair, list_reference_, 0.0, migrated);
   list_box_ = box_size();
-  reference_ = rods;
-  list_reference_.resize(rods.size());
-  for (size_t i = 0; i < rods.size(); i++) list_reference_[i] = rods[i].segment;
-  moved_.assign(rods.size(), 1);
+
+  row_changes_.assign(pair.list->inum, 1);
+  first_entry_.assign(pair.list->inum + 1, 0);
   entries_.clear();
-  walk(pair);
+  remake_rows(pair);
   // What LIGGGHTS asks for does not depend on the skin.
   if (!migrated) {
-    work_.renewals++;
-    work_.cells += list_.search().cells();
-    work_.tried += list_.search().tried();
+    skins_.work.renewed += static_cast<int64_t>(rods.size());
+    skins_.work.cells += list_.search().cells();
+    skins_.work.tried += list_.search().tried();
   }
 
   counts_.renewals++;
   counts_.listed = list_.pairs();
-  counts_.list_skin = list_skin_;
-  counts_.close_skin = skin_;
-}
-
-// Until the skins are chosen for what they cost: a list of few pairs may as well be a wide one.
-void CloseRodPairs::widen_list()
-{
-  const double wanted = kPairsToBeginWith * atom->nlocal;
-  const double skin = (diameter_ + list_skin_) * wanted / std::max(1, list_.pairs()) - diameter_;
-  list_skin_ = std::max(list_skin_, std::min(skin, skin_ + kWidestBeyond * diameter_));
-}
-
-// Changes of less than a tenth are not worth it.
-void CloseRodPairs::choose_skins()
-{
-  skins_are_tried_ = true;
-  const double walk_cost = kWalkCost * static_cast<double>(work_.walked);
-  const double refresh_cost = walk_cost + kLookCost * static_cast<double>(work_.looked_at);
-  const double test_cost = kTestCost * static_cast<double>(work_.tested);
-  const double renewal_cost =
-      kCellCost * static_cast<double>(work_.cells) + kTryCost * static_cast<double>(work_.tried);
-  work_ = Work();
-
-  double skin = skin_;
-  if (skin_is_chosen_)
-    skin = std::clamp(better_skin(skin_, 0.0, diameter_, test_cost, refresh_cost),
-                      kThinnest * diameter_, kWidest * diameter_);
-  const double list_skin =
-      std::clamp(better_skin(list_skin_, skin_, diameter_, refresh_cost, renewal_cost),
-                 skin + kNarrowestBeyond * diameter_, skin + kWidestBeyond * diameter_);
-  if (std::fabs(skin - skin_) > 0.1 * skin_) skin_ = skin;
-  if (std::fabs(list_skin - list_skin_) > 0.1 * list_skin_) list_skin_ = list_skin;
-  list_skin_ = std::max(list_skin_, skin_ + kNarrowestBeyond * diameter_);
+  counts_.list_skin = skins_.listed();
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/closest_points.h"
+#include "lists/pair_skins.h"
 #include "lists/rod_pair_list.h"
 
 namespace LAMMPS_NS {
@@ -16,7 +17,7 @@ struct RodPairCounts {
   int64_t listed = 0;     // pairs in the list, at the last step
   int64_t close = 0;      // of these, tested at the last step
   int64_t touching = 0;   // of these, in contact at the last step
-  int64_t renewals = 0;   // of the list, those that follow LIGGGHTS's own included
+  int64_t renewals = 0;   // of the list or a part of it, those that follow LIGGGHTS's own included
   int64_t refreshes = 0;  // of the close pairs: steps in which some rod had moved through the skin
   double list_skin = 0.0, close_skin = 0.0;  // m, at the last step
 };
@@ -25,11 +26,12 @@ struct RodPairCounts {
 //
 // The outer one (RodPairList) holds, with their contact histories, all pairs nearer than a wide skin
 // when it was made; this one those nearer than a narrow skin at the rods' reference poses. It stays
-// complete while no surface point of a rod has moved more than half the skin from the rod's reference
-// pose; a rod that has gets a new reference pose, and only its own pairs are looked at again. Once
-// such a rod may have used up its half of the outer skin, the outer list is made again. All of that is
-// local: no communication. The order of the pairs is that of the outer list, by indices, so
-// that sums of forces depend neither on the skins nor on when a rod was looked at.
+// complete while no surface point of a rod has moved more than the rod's half of the skin from its
+// reference pose; a rod that has gets a new reference pose, and only its own pairs are looked at again. The
+// outer list has reference poses of its own. Once a rod may have used up its half of the outer skin, it
+// and all that have used up a good part of theirs get new ones, and their pairs are found again; those of
+// the others stay. All of that is local: no communication. The order of the pairs is that of the outer
+// list, by indices, so that sums of forces depend neither on the skins nor on when a rod was looked at.
 class CloseRodPairs : protected Pointers {
  public:
   struct Entry {
@@ -58,10 +60,17 @@ class CloseRodPairs : protected Pointers {
               Read read)
   {
     read(migrated);
-    if (migrated || !look(pair, rods)) {
+    if (migrated && list_goes_on(pair, rods)) migrated = false;
+    Wanted wanted = migrated ? Wanted::AllPairs : look(rods);
+    if (wanted == Wanted::SomePairs) {
+      read(true);
+      wanted = renew_some(pair, rods) ? Wanted::ClosePairs : Wanted::AllPairs;
+    }
+    if (wanted == Wanted::AllPairs) {
       if (!migrated) read(true);
       renew(pair, rods, migrated);
     }
+    if (wanted == Wanted::ClosePairs) refresh(pair);
     count_step();
   }
 
@@ -75,33 +84,52 @@ class CloseRodPairs : protected Pointers {
 
  private:
   RodPairList list_;
-  bool skin_is_chosen_ = true;
-  bool skins_are_tried_ = false;                         // long enough to choose others
-  bigint seen_builds_ = -1;                              // of LIGGGHTS's lists, in this run
-  double diameter_ = 0.0;                                // mean of all rods at hand (m)
-  double skin_ = 0.0, list_skin_ = 0.0;                  // m
-  std::vector<spherocylinder::Capsule> reference_;       // of the close pairs
-  std::vector<spherocylinder::Segment> list_reference_;  // of the outer list
-  std::array<double, 3> list_box_{};                     // m, when it was made
+  PairSkins skins_;
+  bigint seen_builds_ = -1;  // of LIGGGHTS's lists, in this run
+  // Reference poses of both lists; radii with the rod's half of the skin, which is what it may move.
+  std::vector<spherocylinder::Capsule> reference_, list_reference_;
+  std::vector<double> radii_;         // m, when the list was made
+  std::array<double, 3> list_box_{};  // m, then
+  // Rods and ghosts whose pairs have to be looked at again, and whether each is one.
+  std::vector<int> moved_rods_;
   std::vector<char> moved_;
-  bool any_moved_ = false;
+  // In the order of the outer list; those of rod i begin at first_entry_[i].
   std::vector<Entry> entries_, next_entries_;
+  std::vector<int> first_entry_;
+  // Whether a row of the list is to be looked at again; those that were, and all their entries.
+  std::vector<char> row_changes_;
+  struct ChangedRow {
+    int row, count;
+  };
+  std::vector<ChangedRow> changed_rows_;
+  std::vector<Entry> changed_entries_;
+  // Rods and ghosts that are found again.
+  std::vector<int> found_again_;
+  std::vector<char> is_found_again_;
   RodPairCounts counts_;
 
-  // What was done since the skins were chosen: pairs tested, in steps; pairs of the list walked along
-  // and looked at, in refreshes; cells entered and pairs tried, in renewals.
-  struct Work {
-    int64_t steps = 0, tested = 0, walked = 0, looked_at = 0, renewals = 0, cells = 0, tried = 0;
-  } work_;
+  enum class Wanted { Nothing, ClosePairs, SomePairs, AllPairs };
 
-  bool look(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);
-  bool follow(int i, const spherocylinder::Capsule &rod, bool all);
+  bool list_goes_on(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);
+  Wanted look(const std::vector<spherocylinder::Capsule> &rods);
+  bool has_used_up_skin(int i, const spherocylinder::Capsule &rod) const;
+  bool move_on(int i, const spherocylinder::Capsule &rod);
+  void move(int i, const spherocylinder::Capsule &rod, double half);
+  void list_at(int i, const spherocylinder::Capsule &rod);
+  bool is_skin_too_wide(int i, const spherocylinder::Capsule &rod) const;
+  double least_half(double speed) const;
+  double speed_of(int i) const;
+  double mean_root_speed() const;
+  bool renew_some(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);
+  bool choose_moved(const std::vector<spherocylinder::Capsule> &rods);
   void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, bool migrated);
-  int64_t walk(PairGran &pair);
+  void refresh(PairGran &pair);
+  void see_changed_rows();
+  void remake_rows(PairGran &pair);
+  void remake_row(const NeighList &list, int i);
+  void put_rows(bool fit);
   void count_step();
   bool is_close(int i, int j) const;
-  void widen_list();
-  void choose_skins();
   bool ghosts_stay() const;
   std::array<double, 3> box_size() const;
   static double twice_shift_squared(const spherocylinder::Segment &now,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/near_pairs.h"
+#include "lists/rows_with_room.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -28,29 +29,67 @@ class RodPairList : protected Pointers {
   void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, double gap,
              bool migrated);
 
+  // The same gap, `moved` rods and ghosts only: what was found of them is dropped, but for pairs in
+  // contact, and found anew among the `rods`, of which the others are where they were. False if all
+  // have to be looked at; the list is then as it was.
+  bool renew_some(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods,
+                  const std::vector<int> &moved, const std::vector<char> &is_moved);
+
+  // After renew_some: rods whose pairs it may have changed, ascending, and ghosts that are in the list
+  // only since.
+  const std::vector<int> &changed_rows() const { return changed_; }
+  const std::vector<int> &new_ghosts() const { return new_ghosts_; }
+
+  // After LIGGGHTS has migrated rods, if they and the ghosts are those that the list is of, in the same
+  // places: it goes on, histories and all. False if it may not: groups and exclusions may be others.
+  bool goes_on(PairGran &pair);
+
+  // The rods in whose rows a rod or ghost is.
+  const Holders &holders() const { return holders_; }
+
   // Whether the rods and ghosts at hand are those that the list is of, in the same places.
   bool is_of_present_rods() const;
 
-  // Ghosts that are in the list, ascending.
+  // Ghosts that are in the list or have been since all of it was made, ascending.
   const std::vector<int> &ghosts() const { return ghosts_; }
   // The search for the list that is there.
   const spherocylinder::NearPairs &search() const { return near_; }
-  int pairs() const { return static_cast<int>(now_.partners.size()); }
+  int pairs() const { return pairs_; }
 
  private:
   struct Contents {
-    std::vector<int> first, partners, flags;  // first: by owned rod, and one more
-    std::vector<double> history;              // dnum values a pair
+    RowsWithRoom rows;                 // by owned rod
+    std::vector<int> partners, flags;  // ascending in each row
+    std::vector<double> history;       // dnum values a pair
   };
   Contents now_, before_;
+  int pairs_ = 0, dnum_ = 0;
+  bool grown_ = false;  // the arrays, by some row
+  Holders holders_;
   spherocylinder::NearPairs near_;
-  std::vector<int> ghosts_;
-  std::vector<int> ids_;  // of rods and ghosts, when LIGGGHTS last put them in order
+  std::vector<int> ghosts_, new_ghosts_;
+  // Rods, and ids of rods and ghosts, when LIGGGHTS last put them in order.
+  int owned_ = 0;
+  std::vector<int> ids_;
+
+  // Of one row, as it is made anew; all others as they are found.
+  std::vector<int> partners_, flags_, changed_, remade_;
+  std::vector<double> history_;
+  std::vector<spherocylinder::NearPairs::Pair> found_;
 
   bool is_listed(int i, int j) const;
-  void keep_histories(int dnum);
-  void fetch_histories(const NeighList &list, int dnum);
+  void begin_row();
+  void add(int partner);
+  void add_as(const Contents &contents, int place);
+  bool put_row(int i);
+  void keep_row(int i, const int *partner, const int *end);
+  void fetch_histories(const NeighList &list);
+  void remake_row(int i, const spherocylinder::NearPairs::Pair *found,
+                  const spherocylinder::NearPairs::Pair *end, const std::vector<char> &is_moved);
   void hand_over(NeighList &list);
+  void hand_over_row(NeighList &list, int i);
+  void see_ghosts();
+  void see_new_ghosts();
 };
 
 }  // namespace LAMMPS_NS

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The two lists of near rods: they hold what they say, and no motion depends on them.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <random>
 #include <string>
@@ -94,12 +95,12 @@ long pairs_nearer_than(double gap, const Scene &scene)
 }
 
 // A gas with friction and histories, fast and turning; at least one collision a rod.
-Scene gas()
+Scene gas(int rods = 120, double volume_fraction = 0.06)
 {
   RodGas gas;
-  gas.rods = 120;
+  gas.rods = rods;
   gas.shortest = 0.3;
-  gas.volume_fraction = 0.06;
+  gas.volume_fraction = volume_fraction;
   Scene scene = scene_of(gas);
   scene.skin = 0.08;  // LIGGGHTS seldom builds its lists
   scene.dt = shortest_contact(gas) / 40.0;
@@ -125,7 +126,125 @@ int different(const std::vector<Frame> &a, const std::vector<Frame> &b)
   return count;
 }
 
+// Pairs that touch, of a periodic cube of this side or of none (0), by trying all.
+long touching_pairs(const std::vector<Rod> &rods, double side)
+{
+  long pairs = 0;
+  for (size_t i = 0; i < rods.size(); i++)
+    for (size_t j = i + 1; j < rods.size(); j++) {
+      Rod other = rods[j];
+      Vec3 between = other.position - rods[i].position;
+      if (side > 0.0)
+        between = between - side * Vec3{std::round(between.x / side), std::round(between.y / side),
+                                        std::round(between.z / side)};
+      if (norm(between) > 0.5 * (rods[i].length + other.length)) continue;
+      other.position = rods[i].position + between;
+      pairs += slow_distance(rods[i], other) < rods[i].radius() + other.radius();
+    }
+  return pairs;
+}
+
+// A run in parts of 100 steps, after each of which the lists are looked at.
+struct InParts {
+  const char *name;
+  bool periodic = false;
+  const char *keywords = "";
+  const char *before = "";   // the run
+  const char *between = "";  // the parts, which are numbered by ${part}
+  const char *options = "pre no";
+  int ranks = 1;
+};
+
+void PrintTo(const InParts &run, std::ostream *out) { *out << run.name; }
+
+class PairListsInParts : public testing::TestWithParam<InParts> {};
+
+// Rods at rest and, each eighth, rods shot through them: most of the list stays as it is.
+Scene shot_through()
+{
+  Scene scene = gas(300, 0.15);
+  for (size_t k = 0; k < scene.rods.size(); k++) {
+    Rod &rod = scene.rods[k];
+    const double faster = k % 8 == 0 ? 6.0 : 0.0;
+    rod.velocity = faster * rod.velocity;
+    rod.omega = faster * rod.omega;
+  }
+  return scene;
+}
+
 }  // namespace
+
+// Whatever moves, comes or goes, and whichever lists are made anew: those that touch are those found by
+// trying all pairs, in the list (whose contacts the compute counts) and among the close pairs.
+TEST_P(PairListsInParts, HoldAllThatTouch)
+{
+  constexpr int kParts = 40;
+  const InParts &given = GetParam();
+  Scene scene = shot_through();
+  const double side = given.periodic ? scene.box_hi[0] - scene.box_lo[0] : 0.0;
+  if (!given.periodic) {
+    scene.boundary = "f f f";
+    for (int d = 0; d < 3; d++) {
+      scene.box_lo[d] *= 4.0;
+      scene.box_hi[d] *= 4.0;
+    }
+  }
+  const DeckFolder folder;
+  folder.write("rods.data", data_file(scene));
+  folder.write("in.parts",
+               preamble(scene, given.ranks == 2 ? Mode::TwoRanks : Mode::OneRank) +
+                   "read_data rods.data\n" + fmt::format("neighbor {} bin\n", scene.skin) +
+                   linear_material(1e5, 5e4, 0.9, 0.3) +
+                   "pair_style gran model linear tangential history surface spherocylinder " +
+                   given.keywords + "\npair_coeff * *\nfix motion all nve/spherocylinder\n" +
+                   "compute contacts all contact/spherocylinder\n" +
+                   exact_dump("dump.parts", 100, kFrameColumns) +
+                   fmt::format("timestep {}\n", scene.dt) + given.before +
+                   fmt::format("run 0\nvariable part loop {}\nlabel part\n{}run 100 {}\n"
+                               "next part\njump SELF part\n",
+                               kParts, given.between, given.options));
+  const Outcome outcome = folder.run("in.parts", {Program::Lmp, given.ranks});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const std::vector<Frame> frames = read_frames(folder / "dump.parts", scene);
+
+  long all = 0;
+  size_t place = 0;
+  for (const Frame &frame : frames) {
+    const long touching = touching_pairs(frame.rods, side);
+    double counted = 0.0;
+    for (const double contacts : frame.contacts) counted += contacts;
+    EXPECT_EQ(counted, 2.0 * static_cast<double>(touching)) << "step " << frame.step;
+    place = outcome.output.find("Rod pairs: ", place);
+    ASSERT_NE(place, std::string::npos);
+    if (given.ranks == 1 && !given.periodic) {
+      EXPECT_EQ(read_report(outcome.output.substr(place)).touching, touching)
+          << "step " << frame.step;
+    }
+    place++;
+    all += touching;
+  }
+  EXPECT_EQ(frames.size(), kParts + 1u);
+  EXPECT_GT(all, 40);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Runs, PairListsInParts,
+    testing::Values(
+        InParts{"ShotThrough"}, InParts{"Periodic", true},
+        InParts{"OfAThinSkin", false, "close_skin 1e-4"},
+        InParts{"OfAWideSkin", true, "close_skin 0.01"},
+        InParts{"OnTwoRanks", true, "", "", "", "pre no", 2},
+        InParts{"OfFewerAndFewer", true, "", "",
+                "group gone id ${part}\ndelete_atoms group gone compress no\n", ""},
+        InParts{"OfMoreAndMore", false, "",
+                "region place sphere 0.0 0.0 0.0 0.3 units box\n"
+                "fix rod all particletemplate/spherocylinder 15485863 atom_type 1 density constant "
+                "2700 radius constant 0.005 length constant 0.06\n"
+                "fix rods all particledistribution/discrete 32452843 1 rod 1.0\n"
+                "fix pack all insert/pack seed 86028121 distributiontemplate rods insert_every 250 "
+                "overlapcheck yes orientation random all_in no maxattempt 100 "
+                "vel constant 20.0 0.0 0.0 region place particles_in_region 400\n"}),
+    [](const auto &info) { return std::string(info.param.name); });
 
 TEST(PairLists, HoldThePairsNearerThanTheirSkins)
 {
