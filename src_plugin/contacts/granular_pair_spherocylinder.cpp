@@ -79,8 +79,8 @@ void GranularPairSpherocylinder::init_granular()
     rod_error_all(lmp, "Pair gran with surface spherocylinder stores no contact forces, as fix "
                        "continuum/weighted wants them (expected compute pair/gran/local)");
   RodThreads &threads = rods.attached<RodThreads>();
-  threads.set_count(laws_.keywords().threads);
-  threads.tell();
+  threads.want(laws_.keywords().threads);
+  threads.begin_run();
   threads_ = &threads;
   workers_.resize(threads.count());
   laws_.connect(threads.count());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "rods/rod_threads.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
+#include <strings.h>
 #include <unistd.h>
 
 #include "comm.h"
@@ -14,10 +16,10 @@ using namespace LAMMPS_NS;
 
 RodThreads::RodThreads(LAMMPS *lmp) : Pointers(lmp)
 {
-  of_environment_ = from_environment();
   // All ranks have as many as the first: launchers do not always hand a variable on.
+  if (comm->me == 0) of_environment_ = from_environment();
   MPI_Bcast(&of_environment_, 1, MPI_INT, 0, world);
-  count_ = of_environment_;
+  wanted_ = of_environment_;
 }
 
 // The variable may be a list, of which the first is meant for the outermost level.
@@ -28,28 +30,41 @@ int RodThreads::from_environment() const
   char *end = nullptr;
   const long count = strtol(wanted, &end, 10);
   if (end == wanted || (*end != '\0' && *end != ',') || count < 1 || count > kMost)
-    rod_error_all(lmp, "OMP_NUM_THREADS must be a whole number from 1 to %d (got %s)", kMost,
+    rod_error_one(lmp, "OMP_NUM_THREADS must be a whole number from 1 to %d (got %s)", kMost,
                   wanted);
   return static_cast<int>(count);
 }
 
-void RodThreads::tell()
+// Threads that wait in a loop for one that cannot run make a step take a hundred times as long.
+void RodThreads::begin_run()
 {
-  if (told_ || count_ == 1) return;
-  told_ = true;
+  if (wanted_ == count_ && told_) return;
+  count_ = wanted_;
+  if (count_ == 1) return;
   MPI_Comm node;
   MPI_Comm_split_type(world, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
   int ranks = 1;
   MPI_Comm_size(node, &ranks);
   MPI_Comm_free(&node);
-  if (comm->me == 0)
-    for (FILE *out : {screen, logfile})
-      if (out) fprintf(out, "Rods: %d threads for each of %d ranks\n", count_, comm->nprocs);
-  const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-  if (comm->me == 0 && static_cast<long>(ranks) * count_ > processors)
-    rod_warning(lmp,
-                "Rods: %d ranks of %d threads each are more than the %ld processors of this "
-                "machine: use fewer (OMP_NUM_THREADS, or threads of pair_style), or let them wait "
-                "without taking a processor (OMP_WAIT_POLICY passive)",
-                ranks, count_, processors);
+  MPI_Bcast(&ranks, 1, MPI_INT, 0, world);
+  int processors = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+  MPI_Bcast(&processors, 1, MPI_INT, 0, world);
+  const char *policy = getenv("OMP_WAIT_POLICY");
+  int wait_without_processor = policy && strcasecmp(policy, "passive") == 0 ? 1 : 0;
+  MPI_Bcast(&wait_without_processor, 1, MPI_INT, 0, world);
+
+  const bool are_too_many = static_cast<long>(ranks) * count_ > processors;
+  if (are_too_many && !wait_without_processor) count_ = std::max(1, processors / ranks);
+  if (told_) return;
+  told_ = true;
+  if (comm->me != 0) return;
+  if (are_too_many && !wait_without_processor)
+    rod_warning(
+        lmp,
+        "Rods: %d ranks of %d threads each are more than the %d processors of this machine: "
+        "%d threads are used (all of them with OMP_WAIT_POLICY passive)",
+        ranks, wanted_, processors, count_);
+  for (FILE *out : {screen, logfile})
+    if (out && count_ > 1)
+      fprintf(out, "Rods: %d threads for each of %d ranks\n", count_, comm->nprocs);
 }

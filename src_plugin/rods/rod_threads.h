@@ -17,10 +17,11 @@ class RodThreads : private Pointers {
   explicit RodThreads(LAMMPS *lmp);
 
   // By the pair style's keyword, which wins over OMP_NUM_THREADS; 0 without it. 1 without either.
-  void set_count(int count) { count_ = count > 0 ? count : of_environment_; }
+  void want(int count) { wanted_ = count > 0 ? count : of_environment_; }
   int count() const { return count_; }
-  // At the start of a run: says how many there are, once, and warns if the machine has fewer processors.
-  void tell();
+  // At the start of a run: how many there are, no more than the machine has processors unless threads wait
+  // without one. Said once.
+  void begin_run();
 
   // How many pieces so much work is worth: one if a thread would have less than `least` of it.
   int pieces_of(int work, int least) const { return work >= least * count_ ? count_ : 1; }
@@ -49,7 +50,7 @@ class RodThreads : private Pointers {
   }
 
  private:
-  int of_environment_ = 1, count_ = 1;
+  int of_environment_ = 1, wanted_ = 1, count_ = 1;
   bool told_ = false;
 
   int from_environment() const;

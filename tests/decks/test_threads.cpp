@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <ostream>
 #include <random>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -128,17 +129,28 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(NumberOfThreads, IsThatOfTheKeywordElseOfTheVariable)
 {
   const Contacts linear = {"", "linear tangential history", {}};
-  EXPECT_NE(thermo_of(falling_rods(linear, "threads 2"), "3").find("Rods: 2 threads for each of 1"),
-            std::string::npos);
-  EXPECT_NE(thermo_of(falling_rods(linear, ""), "3").find("Rods: 3 threads for each of 1"),
-            std::string::npos);
-  EXPECT_NE(thermo_of(falling_rods(linear, ""), "2,4").find("Rods: 2 threads for each of 1"),
-            std::string::npos);
-  EXPECT_EQ(thermo_of(falling_rods(linear, "threads 1"), "1").find("threads for each"),
-            std::string::npos);
+  const std::string one = thermo_of(falling_rods(linear, "threads 1"), "1");
+  EXPECT_EQ(one.find("threads for each"), std::string::npos) << one;
   const PatientThreads patient;
+  for (const auto &[keyword, variable, wanted] :
+       {std::tuple("threads 2", "3", 2), std::tuple("", "3", 3), std::tuple("", "2,4", 2),
+        std::tuple("threads 40", "", 40)}) {
+    const std::string told = thermo_of(falling_rods(linear, keyword), variable);
+    EXPECT_NE(told.find(fmt::format("Rods: {} threads for each of 1 ranks", wanted)),
+              std::string::npos)
+        << told;
+    EXPECT_EQ(told.find("exit 0"), 0u) << told;
+  }
+}
+
+// Where threads wait in a loop, no more than there are processors.
+TEST(NumberOfThreads, IsThatOfTheProcessorsAtMost)
+{
+  const Contacts linear = {"", "linear tangential history", {}};
   const std::string many = thermo_of(falling_rods(linear, "threads 1000"), "");
-  EXPECT_NE(many.find("1 ranks of 1000 threads each are more than the"), std::string::npos) << many;
+  EXPECT_NE(many.find("Rods: 1 ranks of 1000 threads each are more than the"), std::string::npos)
+      << many;
+  EXPECT_EQ(many.find("Rods: 1000 threads"), std::string::npos) << many;
   EXPECT_EQ(many.find("exit 0"), 0u) << many;
 }
 
