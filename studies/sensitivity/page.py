@@ -98,8 +98,26 @@ def bulk(beds: pandas.DataFrame) -> list[list[str]]:
     return lines
 
 
+def missing(beds: pandas.DataFrame, cases) -> list[str]:
+    """Factors of which no bed is there, and levels that others lack at all aspect ratios or at some."""
+    aspects = sorted(beds["lambda"].unique())
+    made = {(factor, level): sorted(kind["lambda"].unique()) for (factor, level), kind
+            in beds.groupby(["factor", beds["level"].astype(str)])}
+    there, told = {factor for factor, _ in made}, []
+    for factor, level in cases:
+        name = factor.replace("_", " ")
+        found = made.get((factor, level), [])
+        lacks = [f"{a:g}" for a in aspects if a not in found]
+        if factor not in there:
+            told += [name] * (name not in told)
+        elif lacks:
+            told.append(f"{name} {level.replace('_', ' ')}" +
+                        (f" at λ = {words(lacks)}" if found else ""))
+    return told
+
+
 def values(beds: pandas.DataFrame, effects: pandas.DataFrame, bound: float, mode: str,
-           factors: list[str]) -> dict:
+           cases: list[tuple[str, str]]) -> dict:
     wide = together(effects)
     differs = wide["vf_inner.differs"] == 1
     ordered = wide.reindex(wide["vf_inner.difference"].abs().sort_values(ascending=False).index)
@@ -114,8 +132,7 @@ def values(beds: pandas.DataFrame, effects: pandas.DataFrame, bound: float, mode
         "friction": STUDY_FRICTION, "asked": len(wide), "differ": int(differs.sum()),
         "by_chance": 0.05 * len(wide),
         "numbers": any(factor in set(beds["factor"]) for factor, *_ in NUMBERS),
-        "not_there": words(factor.replace("_", " ") for factor in factors
-                           if factor not in set(beds["factor"])),
+        "not_there": words(missing(beds, cases)),
         "up": effect_lines(up), "down": effect_lines(down),
         "open": effect_lines(ordered[(ordered["vf_inner.differs"] == 0)]),
         "alike": words(alike), "by_aspect": by_aspect(effects),
