@@ -45,7 +45,7 @@ bool is_of_a_tool(const ManualPage &page)
 bool is_of_a_style(const ManualPage &page)
 {
   return page.name != "README" && page.name != "with_liggghts" && page.name != "from_multisphere" &&
-         page.name != "architecture" && !is_of_a_tool(page);
+         page.name != "architecture" && page.name != "cluster" && !is_of_a_tool(page);
 }
 
 std::vector<ManualPage> style_pages()
