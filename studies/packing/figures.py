@@ -134,8 +134,11 @@ def elevation_figure(means: pandas.DataFrame):
     aspects = sorted(means["lambda"].unique())
     figure, all_axes = plots.new_figure(165 if columns > 1 else 100, 95 * len(frictions),
                                         len(frictions), columns, sharey=True, squeeze=False)
+    for axes in all_axes.flat:   # of kinds that are not there
+        axes.set_visible(False)
     for friction, limits in kinds:
         axes = all_axes[frictions.index(friction)][limits_of(means).index(limits)]
+        axes.set_visible(True)
         panel = of_kind(means, friction, limits)
         widest = panel.loc[panel["isotropic_scatter"].idxmax()]
         scatter = widest["isotropic_scatter"]

@@ -32,6 +32,15 @@ def together(effects: pandas.DataFrame) -> pandas.DataFrame:
     return wide
 
 
+def without_references(wide: pandas.DataFrame, beds: pandas.DataFrame) -> pandas.DataFrame:
+    """Without levels that are there for others of their factor to be compared with: they are cases of
+    another factor."""
+    against = beds[["factor", "against"]].dropna().drop_duplicates()
+    references = {(factor, f"{level:g}" if isinstance(level, float) else str(level))
+                  for factor, level in against.itertuples(index=False)}
+    return wide[[(factor, str(level)) not in references for factor, level in wide.index]]
+
+
 def effect_lines(wide: pandas.DataFrame) -> list[list[str]]:
     lines = []
     for (factor, level), row in wide.iterrows():
@@ -118,7 +127,7 @@ def missing(beds: pandas.DataFrame, cases) -> list[str]:
 
 def values(beds: pandas.DataFrame, effects: pandas.DataFrame, bound: float, mode: str,
            cases: list[tuple[str, str]]) -> dict:
-    wide = together(effects)
+    wide = without_references(together(effects), beds)
     differs = wide["vf_inner.differs"] == 1
     ordered = wide.reindex(wide["vf_inner.difference"].abs().sort_values(ascending=False).index)
     alike = [level_name(*key) for key, row in wide.iterrows() if row["vf_inner.alike"]]
@@ -126,7 +135,7 @@ def values(beds: pandas.DataFrame, effects: pandas.DataFrame, bound: float, mode
                         (sign * ordered["vf_inner.difference"] > 0)] for sign in (1, -1))
     base = beds[beds["factor"] == variations.BASE]
     return {
-        "mode": mode, "bound": 100 * bound, "beds": len(beds),
+        "mode": mode, "bound": 100 * bound, "beds": beds["command"].nunique(),
         "aspects": words(f"{a:g}" for a in sorted(beds["lambda"].unique())),
         "each": f"{base.groupby('lambda').size().min():.0f}",
         "friction": STUDY_FRICTION, "asked": len(wide), "differ": int(differs.sum()),

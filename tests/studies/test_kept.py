@@ -68,6 +68,17 @@ def test_packings_of_the_main_page():
     assert f"no friction {a:.0f} % above, {-b:.0f} and {-c:.0f} % below" in text
 
 
+# "without any, V_f lies 19 to 26 % above 2 ln λ/λ, without any between rods alone 9 to 22 % above, ..."
+def test_friction_of_the_main_page():
+    text = " ".join((ROOT / "README.md").read_text().split())
+    beds = read_rows(ROOT / "studies/sensitivity/results/beds.csv")
+    away = 100 * (beds["vf_inner"] / beds["vf_parkhouse_kelly"] - 1)
+    mean = away.groupby([beds["factor"], beds["level"].astype(str), beds["lambda"]]).mean()
+    both, rods = mean["friction", "0"], mean["friction_of_rods", "0"]
+    assert f"without any, V_f lies {both.min():.0f} to {both.max():.0f} % above" in text
+    assert f"between rods alone {rods.min():.0f} to {rods.max():.0f} % above" in text
+
+
 # What they hold themselves: intervals of 95 and 90 %, a gas of 5 %, e = 0.5, errors of 100 % and of the
 # questions asked, a diameter of 0.01 m, the decks' step of 0.09.
 @pytest.mark.parametrize("name, allowed", [
