@@ -14,7 +14,7 @@ from studies.experiments import measures
 FEW_CONTACTS, MANY_CONTACTS = 4, 10   # a rod in the bulk, by counting: with friction, without
 NEAR_CORE, LAST_ORDER = 0.95, 0.1     # where a wall's layer ends
 BREAKS = (1.0, 1.5, 2.0)              # of the law of the run-out, height over radius
-FLOWING = 0.1                         # 1/s: layers that shear less rest
+FLOWING = 0.01                        # 1/s: layers that shear less rest
 BINS = numpy.arange(0, 2.01, 0.2)     # of the heights for a figure
 
 
