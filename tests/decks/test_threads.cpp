@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <ostream>
 #include <random>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -25,11 +26,29 @@ void PrintTo(const Contacts &contacts, std::ostream *out) { *out << contacts.nam
 
 class Threads : public testing::TestWithParam<Contacts> {};
 
-// More threads than processors must not wait in a loop for the one that cannot run.
-class PatientThreads {
+// How threads wait: those beyond the processors must not wait in a loop for one that cannot run.
+class WaitPolicy {
  public:
-  PatientThreads() { setenv("OMP_WAIT_POLICY", "passive", 1); }
-  ~PatientThreads() { unsetenv("OMP_WAIT_POLICY"); }
+  explicit WaitPolicy(const char *policy)
+  {
+    if (const char *now = getenv(kName)) before_ = now;
+    set(policy);
+  }
+  ~WaitPolicy() { set(before_.empty() ? nullptr : before_.c_str()); }
+  WaitPolicy(const WaitPolicy &) = delete;
+  WaitPolicy &operator=(const WaitPolicy &) = delete;
+
+ private:
+  static constexpr const char *kName = "OMP_WAIT_POLICY";
+  std::string before_;
+
+  static void set(const char *policy)
+  {
+    if (policy)
+      setenv(kName, policy, 1);
+    else
+      unsetenv(kName);
+  }
 };
 
 // 900 rods of three lengths in layers fall on the floor of a closed box, and on each other: more close pairs,
@@ -90,7 +109,7 @@ std::string thermo_of(const Scene &scene, const std::string &threads)
 
 TEST_P(Threads, ChangeNoBit)
 {
-  const PatientThreads patient;
+  const WaitPolicy patient("passive");
   const std::vector<Frame> one = run(falling_rods(GetParam(), "threads 1"));
   double contacts = 0.0;
   for (const double of_rod : one.back().contacts) contacts += of_rod;
@@ -104,7 +123,7 @@ TEST_P(Threads, ChangeNoBit)
 
 TEST(ThreadsOfTwoRanks, ChangeNoBit)
 {
-  const PatientThreads patient;
+  const WaitPolicy patient("passive");
   const Contacts linear = {"", "linear tangential history", {}};
   EXPECT_EQ(largest_difference(run(falling_rods(linear, "threads 1"), Mode::TwoRanks),
                                run(falling_rods(linear, "threads 2"), Mode::TwoRanks)),
@@ -131,7 +150,7 @@ TEST(NumberOfThreads, IsThatOfTheKeywordElseOfTheVariable)
   const Contacts linear = {"", "linear tangential history", {}};
   const std::string one = thermo_of(falling_rods(linear, "threads 1"), "1");
   EXPECT_EQ(one.find("threads for each"), std::string::npos) << one;
-  const PatientThreads patient;
+  const WaitPolicy patient("passive");
   for (const auto &[keyword, variable, wanted] :
        {std::tuple("threads 2", "3", 2), std::tuple("", "3", 3), std::tuple("", "2,4", 2),
         std::tuple("threads 40", "", 40)}) {
@@ -146,6 +165,7 @@ TEST(NumberOfThreads, IsThatOfTheKeywordElseOfTheVariable)
 // Where threads wait in a loop, no more than there are processors.
 TEST(NumberOfThreads, IsThatOfTheProcessorsAtMost)
 {
+  const WaitPolicy impatient(nullptr);
   const Contacts linear = {"", "linear tangential history", {}};
   const std::string many = thermo_of(falling_rods(linear, "threads 1000"), "");
   EXPECT_NE(many.find("Rods: 1 ranks of 1000 threads each are more than the"), std::string::npos)
