@@ -11,25 +11,35 @@ using namespace spherocylinder;
 
 namespace {
 
-SPHEROCYLINDER_INLINE void add_load(int rod, const Vec3 &force, const Vec3 &torque, PairGran &pair,
-                                    Atom &atom)
-{
-  const double relax = pair.relax(rod);
-  add_to(atom.f[rod], relax * force);
-  add_to(atom.torque[rod], relax * torque);
-}
+// Of all rods; pair style and arrays stand still while loads are added.
+class Adder {
+ public:
+  Adder(PairGran &pair, const Atom &atom) : pair_(pair), f_(atom.f), torque_(atom.torque) {}
+
+  SPHEROCYLINDER_INLINE void add(int rod, const Vec3 &force, const Vec3 &torque) const
+  {
+    const double relax = pair_.relax(rod);
+    add_to(f_[rod], relax * force);
+    add_to(torque_[rod], relax * torque);
+  }
+
+ private:
+  PairGran &pair_;
+  double **const f_, **const torque_;
+};
 
 }  // namespace
 
 void LAMMPS_NS::scatter_pairs(const ContactBatch &batch, PairGran &pair, Atom &atom)
 {
+  const Adder rods(pair, atom);
   const int owned = atom.nlocal;
   for (int k = 0; k < batch.count; k++) {
     if (!batch.can_move(k)) continue;
     const int i = batch.i[k], j = batch.j[k];
     const Vec3 force = batch.loads.force.get(k);
-    add_load(i, force, batch.loads.torque_i.get(k), pair, atom);
-    if (j < owned) add_load(j, -force, batch.loads.torque_j.get(k), pair, atom);
+    rods.add(i, force, batch.loads.torque_i.get(k));
+    if (j < owned) rods.add(j, -force, batch.loads.torque_j.get(k));
   }
 }
 
@@ -46,19 +56,20 @@ void PairLoads::keep(const ContactBatch &batch, int next_rod, int owned)
 
 void PairLoads::add_to_own(PairGran &pair, Atom &atom, int next_rod) const
 {
+  const Adder rods(pair, atom);
   const int end = std::min(next_rod, atom.nlocal);
   for (const Load &load : loads_) {
-    add_load(load.i, load.force, load.torque_i, pair, atom);
-    if (load.j < end) add_load(load.j, -load.force, load.torque_j, pair, atom);
+    rods.add(load.i, load.force, load.torque_i);
+    if (load.j < end) rods.add(load.j, -load.force, load.torque_j);
   }
 }
 
 void PairLoads::add_to_later(PairGran &pair, Atom &atom, int first_rod, int next_rod) const
 {
+  const Adder rods(pair, atom);
   for (const int k : beyond_) {
     const Load &load = loads_[k];
-    if (load.j >= first_rod && load.j < next_rod)
-      add_load(load.j, -load.force, load.torque_j, pair, atom);
+    if (load.j >= first_rod && load.j < next_rod) rods.add(load.j, -load.force, load.torque_j);
   }
 }
 
