@@ -56,14 +56,17 @@ template <typename Move, typename Finish>
 void FixNVESpherocylinder::for_each_batch(Move move, Finish finish)
 {
   const int *mask = atom->mask;
+  const int group = groupbit;
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   double **inertia = atom->inertia, **quaternion = atom->quaternion, **angmom = atom->angmom;
-  threads_->run_over(nlocal, kFewestRods, [&](int first, int last) {
+  const double half = dtf, *const *torque = atom->torque;
+  // Copies, which no store into the rods' arrays may change.
+  threads_->run_over(nlocal, kFewestRods, [=](int first, int last) {
     Batch batch;
     for (int i = first; i < last; i++) {
-      if (!(mask[i] & groupbit)) continue;
+      if (!(mask[i] & group)) continue;
       move(i);
-      const sc::Vec3 momentum = sc::load(angmom[i]) + dtf * sc::load(atom->torque[i]);
+      const sc::Vec3 momentum = sc::load(angmom[i]) + half * sc::load(torque[i]);
       sc::store(momentum, angmom[i]);
       batch.rotations.set(batch.count, momentum, inertia[i], quaternion[i]);
       batch.rods[batch.count++] = i;
@@ -79,13 +82,13 @@ void FixNVESpherocylinder::initial_integrate(int)
 {
   if (plain_) return half_step_plainly(true);
   double **x = atom->x, **v = atom->v, **f = atom->f;
-  const double *mass = atom->rmass;
+  const double *mass = atom->rmass, half = dtf, step = dtv;
   for_each_batch(
-      [&](int i) {
-        const double dtfm = dtf / mass[i];
+      [=](int i) {
+        const double dtfm = half / mass[i];
         for (int d = 0; d < 3; d++) {
           v[i][d] += dtfm * f[i][d];
-          x[i][d] += dtv * v[i][d];
+          x[i][d] += step * v[i][d];
         }
       },
       [&](Batch &batch) {
@@ -119,10 +122,10 @@ void FixNVESpherocylinder::final_integrate()
 {
   if (plain_) return half_step_plainly(false);
   double **v = atom->v, **f = atom->f;
-  const double *mass = atom->rmass;
+  const double *mass = atom->rmass, half = dtf;
   for_each_batch(
-      [&](int i) {
-        const double dtfm = dtf / mass[i];
+      [=](int i) {
+        const double dtfm = half / mass[i];
         for (int d = 0; d < 3; d++) v[i][d] += dtfm * f[i][d];
       },
       [&](Batch &batch) {
