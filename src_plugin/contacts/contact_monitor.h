@@ -33,8 +33,8 @@ class ContactMonitor final : public ContactObserver, private Pointers {
       int i, j;
       double over_diameter;
     };
-    std::vector<Overlap>
-        deeper;  // each than those before, and than the largest when the step began
+    // Each deeper than those before, and than the largest when the step began.
+    std::vector<Overlap> deeper;
     struct Stiff {
       int i;
       double stiffness, mass;

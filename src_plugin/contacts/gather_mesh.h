@@ -21,8 +21,9 @@ class FixWallGran;
 //
 // A contact goes on as that of the last step at the same place of the rod (either end, or between them)
 // and the same part of the same triangle, else the same triangle, else the same smooth patch, else a
-// neighbouring triangle whose normal does not turn by a right angle: an end that slides from triangle to triangle, also over an edge, keeps its
-// spring, turned into the new tangent plane. Of several the one nearest along the rod.
+// neighbouring triangle whose normal does not turn by a right angle: an end that slides from triangle to
+// triangle, also over an edge, keeps its spring, turned into the new tangent plane. Of several the one
+// nearest along the rod.
 class MeshGatherer : protected Pointers {
  public:
   explicit MeshGatherer(LAMMPS *lmp) : Pointers(lmp) {}

@@ -27,8 +27,8 @@ double coupling_of_ends(const RodEnds &ends, double radius,
 
 using EndHistories = std::array<double *, 2>;
 
-// From a rod at a wall to contacts of its ends, or to the one with the outside of a cylinder. A wall is body j: at rest but for its surface, and of
-// infinite mass; a spring at it does not turn about the normal.
+// From a rod at a wall to contacts of its ends, or to the one with the outside of a cylinder. A wall is body
+// j: at rest but for its surface, and of infinite mass; a spring at it does not turn about the normal.
 class WallGatherer : protected Pointers {
  public:
   explicit WallGatherer(LAMMPS *lmp) : Pointers(lmp) {}

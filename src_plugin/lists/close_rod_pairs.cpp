@@ -354,7 +354,7 @@ void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool
     radii_[i] = rods[i].radius;
     list_at(i, rods[i]);
   }
-  list_.renew(pair, list_reference_, 0.0, migrated);
+  list_.renew(pair, list_reference_, migrated);
   list_box_ = box_size();
 
   row_changes_.assign(pair.list->inum, 1);

@@ -132,11 +132,11 @@ bool RodPairList::is_of_present_rods() const
          std::equal(ids_.begin(), ids_.end(), atom->tag);
 }
 
-void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, double gap, bool migrated)
+void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, bool migrated)
 {
   NeighList &list = *pair.list;
   const int owned = neighbor->includegroup ? atom->nfirst : atom->nlocal;
-  near_.find(rods, owned, gap);
+  near_.find(rods, owned, 0.0);
 
   // What LIGGGHTS has stored is asked for after it has migrated the rods, else the old list.
   std::swap(now_, before_);

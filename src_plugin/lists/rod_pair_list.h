@@ -24,12 +24,12 @@ class RodPairList : protected Pointers {
  public:
   explicit RodPairList(LAMMPS *lmp) : Pointers(lmp) {}
 
-  // Lists the pairs nearer than `gap` (m), partners of a rod in ascending order. Histories come from
-  // fix contacthistory if LIGGGHTS has just migrated the rods, else from the list before.
-  void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, double gap,
-             bool migrated);
+  // Lists the pairs that touch, of rods whose radii hold their halves of the skin; partners of a rod in
+  // ascending order. Histories come from fix contacthistory if LIGGGHTS has just migrated the rods, else
+  // from the list before.
+  void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, bool migrated);
 
-  // The same gap, `moved` rods and ghosts only: what was found of them is dropped, but for pairs in
+  // The same of `moved` rods and ghosts only: what was found of them is dropped, but for pairs in
   // contact, and found anew among the `rods`, of which the others are where they were. False if all
   // have to be looked at; the list is then as it was.
   bool renew_some(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods,

@@ -35,7 +35,7 @@ int RodThreads::from_environment() const
   return static_cast<int>(count);
 }
 
-// Threads that wait in a loop for one that cannot run make a step take a hundred times as long.
+// Threads that wait in a loop for one that cannot run make a step take forty times as long.
 void RodThreads::begin_run()
 {
   if (wanted_ == count_ && told_) return;
