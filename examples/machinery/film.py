@@ -35,11 +35,55 @@ VIEWS = {
 }
 
 
+def at_least_one(word: str) -> int:
+    number = int(word)
+    if number < 1:
+        raise ValueError
+    return number
+
+
+def pixels(word: str) -> str:
+    width, height = word.split("x")
+    return f"{at_least_one(width)}x{at_least_one(height)}"
+
+
+def percent(word: str) -> int:
+    number = int(word)
+    if not 0 <= number <= 100:
+        raise ValueError
+    return number
+
+
+def pace(word: str) -> float:
+    number = float(word)
+    if not 0 < number <= 1000:
+        raise ValueError
+    return number
+
+
+at_least_one.__name__, pixels.__name__ = "whole number >= 1", "WIDTHxHEIGHT"
+percent.__name__, pace.__name__ = "whole number from 0 to 100", "number > 0 and <= 1000"
+
+
 def program(name: str, given: str | None) -> str:
     found = given or shutil.which(BUILT / name) or shutil.which(name)
     if not found:
         sys.exit(f"film.py: {name} is not there: build it by scripts/build, or say where it is by --{name}")
     return found
+
+
+def run(command: list, out=None) -> None:
+    done = subprocess.run(command, stdout=out)
+    if done.returncode != 0:
+        sys.exit(f"film.py: {Path(command[0]).name} ended with {done.returncode}, see above")
+
+
+def meshes_of(variables: list[str]) -> list[str]:
+    """The hopper's mesh has the orifice that its deck is told of."""
+    for flag, name, *values in zip(variables, variables[1:], variables[2:]):
+        if flag in ("-var", "-v") and name == "orifice":
+            return ["--orifice", values[0]]
+    return []
 
 
 def frames_of(dump: Path):
@@ -76,12 +120,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("deck", choices=sorted(VIEWS))
     parser.add_argument("--film", type=Path, help="default NAME.webp")
-    parser.add_argument("--size", default="480x400", help="of the film, in pixels (default 480x400)")
-    parser.add_argument("--every", type=int, default=2, help="of the dump's steps (default 2)")
-    parser.add_argument("--steps", type=int, help="at most so many of these (default all)")
-    parser.add_argument("--rate", type=float, default=25, help="pictures a second (default 25)")
-    parser.add_argument("--quality", type=int, default=60, help="of .webp, 0 to 100 (default 60)")
-    parser.add_argument("--picture-size", default="640x480")
+    parser.add_argument("--size", type=pixels, default="480x400", help="of the film, in pixels (default 480x400)")
+    parser.add_argument("--every", type=at_least_one, default=2, help="of the dump's steps (default 2)")
+    parser.add_argument("--steps", type=at_least_one, help="at most so many of these (default all)")
+    parser.add_argument("--rate", type=pace, default=25, help="pictures a second (default 25)")
+    parser.add_argument("--quality", type=percent, default=60, help="of .webp, 0 to 100 (default 60)")
+    parser.add_argument("--picture-size", type=pixels, default="640x480")
     parser.add_argument("--lmp", help="the program (default build/release/lmp, else that on the path)")
     parser.add_argument("--rod_render", help="likewise")
     wanted, variables = parser.parse_known_args()  # the rest, such as -var number 200, goes to the run
@@ -97,8 +141,8 @@ def main() -> None:
 
     dump = Path(f"dump.{wanted.deck}")
     if not dump.exists():
-        subprocess.run([sys.executable, HERE / "make_meshes.py"], check=True)
-        subprocess.run([program("lmp", wanted.lmp), "-in", f"in.{wanted.deck}", *variables], check=True)
+        run([sys.executable, HERE / "make_meshes.py", *meshes_of(variables)])
+        run([program("lmp", wanted.lmp), "-in", f"in.{wanted.deck}", *variables])
     elif variables:
         sys.exit(f"film.py: {' '.join(variables)} would go to the run, but {dump} is there already")
 
@@ -108,16 +152,17 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         thin = Path(folder, "dump")
         kept = list(islice(frames_of(dump), 0, None, wanted.every))[:wanted.steps]
+        if not kept[0].startswith("ITEM: TIMESTEP"):
+            sys.exit(f"film.py: {dump} holds no step (expected a dump of in.{wanted.deck})")
         thin.write_text("".join(kept))
         step = kept[round(part * (len(kept) - 1))].split("\n")[1]
         still = f"{wanted.deck}.png"
-        subprocess.run([*draw, thin, "--out", still, "--frame", step, "--size", wanted.picture_size, *same],
-                       check=True, stdout=subprocess.DEVNULL)
+        run([*draw, thin, "--out", still, "--frame", step, "--size", wanted.picture_size, *same], subprocess.DEVNULL)
         drawn = [*draw, thin, "--out", Path(folder, "f.png"), "--frame", "all", "--size", wanted.size,
                  "--no-colour-bar", *same]
         if by_ffmpeg:
             drawn += ["--film", film, "--rate", str(wanted.rate)]
-        subprocess.run(drawn, check=True, stdout=subprocess.DEVNULL)
+        run(drawn, subprocess.DEVNULL)
         if not by_ffmpeg:
             joined(sorted(Path(folder).glob("f_*.png")), film, wanted.rate, wanted.quality)
     print(f"{still}, {film}")

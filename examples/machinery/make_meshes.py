@@ -178,6 +178,12 @@ def main() -> None:
     parser.add_argument("--orifice", type=float, default=0.05, help="of the hopper (m)")
     parser.add_argument("--slope", type=float, default=30, help="of the chute (degrees)")
     arguments = parser.parse_args()
+    if arguments.facets < 3:
+        parser.error(f"--facets must be >= 3 (got {arguments.facets})")
+    if not 0 < arguments.orifice < 0.12:
+        parser.error(f"--orifice must be > 0 and less than the hopper's width 0.12 (got {arguments.orifice:g})")
+    if not 0 <= arguments.slope < 90:
+        parser.error(f"--slope must be from 0 to less than 90 (got {arguments.slope:g})")
     write("hopper.stl", hopper(arguments.facets, arguments.orifice))
     write("drum.stl", drum(arguments.facets))
     write("drum_parts.stl", drum_parts(arguments.facets))

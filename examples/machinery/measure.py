@@ -8,6 +8,7 @@
 """
 import argparse
 import csv
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -16,13 +17,18 @@ TIMESTEP = 2e-5  # s, of in.material
 
 
 def rows(path: Path) -> np.ndarray:
-    return np.array(list(csv.reader(path.open()))[1:], float)
+    try:
+        return np.array(list(csv.reader(path.open()))[1:], float)
+    except (OSError, ValueError) as wrong:
+        sys.exit(f"measure.py: {path} is no table of numbers with a title line ({wrong})")
 
 
 def rate(table: np.ndarray, since: float, until: float) -> float:
     """Rods a second that leave between two times (s) after the opening."""
     time = table[:, 1] - table[0, 1]
     part = table[(time >= since - 1e-6) & (time <= until + 1e-6)]
+    if len(part) < 2:
+        sys.exit(f"measure.py: {len(part)} rows from {since:g} to {until:g} s after the opening (wanted two or more)")
     return (part[0, 2] - part[-1, 2]) / (part[-1, 1] - part[0, 1])
 
 
@@ -38,6 +44,8 @@ def hopper(paths: list[Path], since: float, until: float) -> None:
         print(f"{orifice:g},{len(found)},{np.mean(found):.0f},{error:.0f}")
     widths = np.repeat(sorted(rates), [len(rates[width]) for width in sorted(rates)])
     powers = np.concatenate([rates[width] for width in sorted(rates)]) ** 0.4
+    if len(powers) < 4 or len(rates) < 2:
+        return  # too few for a line and its error
     (slope, offset), spread = np.polyfit(widths, powers, 1, cov=True)
     gradient = np.array([offset / slope ** 2, -1 / slope])  # of D0 = -offset/slope
     error = np.sqrt(gradient @ spread @ gradient)
@@ -91,8 +99,13 @@ def surface(points: np.ndarray, cell: float = 0.005) -> float:
 
 def drum(path: Path, since: float, parts: int) -> None:
     """Of all frames from since (s) after the first, and the standard error over parts of that time."""
-    kept = [(step, places(rods)) for step, rods in frames(path)]
+    try:
+        kept = [(step, places(rods)) for step, rods in frames(path)]
+    except (OSError, ValueError, KeyError) as wrong:
+        sys.exit(f"measure.py: {path} is no dump of in.drum ({wrong})")
     kept = [points for step, points in kept if (step - kept[0][0]) * TIMESTEP >= since]
+    if parts < 2 or len(kept) < parts:
+        sys.exit(f"measure.py: --parts must be from 2 to the number of frames from --since on, {len(kept)} (got {parts})")
     angles = [surface(np.concatenate(part)) for part in
               (kept[len(kept) * i // parts:len(kept) * (i + 1) // parts] for i in range(parts))]
     print("frames,angle/degrees,standard error")

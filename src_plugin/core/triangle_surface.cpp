@@ -236,9 +236,15 @@ void TriangleSurface::find_edges(const Sides &sides, double smooth_turn)
   }
   facets_.resize(shapes_.size());
   patches_.resize(shapes_.size());
+  next_of_facet_.resize(shapes_.size());
+  std::vector<int> last_of_facet(shapes_.size(), -1);
   for (int t = 0; t < count(); t++) {
     facets_[t] = facets.of(t);
     patches_[t] = patches.of(t);
+    int &last = last_of_facet[facets_[t]];
+    next_of_facet_[t] = last < 0 ? t : next_of_facet_[last];
+    if (last >= 0) next_of_facet_[last] = t;
+    last = t;
   }
   for (const SurfaceEdge &edge : edges_)
     if (edge.is_smooth)

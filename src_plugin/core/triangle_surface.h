@@ -82,6 +82,8 @@ class TriangleSurface {
   const TriangleShape &shape(int triangle) const { return shapes_[triangle]; }
   // Each has the number of one of its triangles.
   int facet(int triangle) const { return facets_[triangle]; }
+  // All triangles of a facet, each followed by another one; the last by the first.
+  int next_of_facet(int triangle) const { return next_of_facet_[triangle]; }
   int patch(int triangle) const { return patches_[triangle]; }
   // 1 or -1: times the normal, the same side of the whole patch (unless it has but one).
   double orientation(int triangle) const { return orientations_[triangle]; }
@@ -114,7 +116,7 @@ class TriangleSurface {
   std::vector<TriangleShape> shapes_;
   std::vector<std::array<int, 3>> nodes_;    // of each triangle
   std::vector<std::array<int, 2>> node_at_;  // a triangle and its corner
-  std::vector<int> facets_, patches_;
+  std::vector<int> facets_, next_of_facet_, patches_;
   std::vector<double> orientations_;
   std::vector<SurfaceEdge> edges_;
   std::vector<int> corner_nodes_;

@@ -87,7 +87,8 @@ void RodsNearMesh::find_pierced(const MeshSurface &mesh, const Segment &axis,
       pierced.push_back(mesh.surface().facet(triangle));
 }
 
-// Of facets that the end is through by more than the reach: a rare case, for which all are looked at.
+// Of facets that the end is through by more than the reach: a rare case, for which all their triangles are
+// looked at.
 void RodsNearMesh::add_deep(const TriangleSurface &surface, const Vec3 &end, double reach,
                             const std::vector<int> &pierced, std::vector<int> &triangles) const
 {
@@ -98,11 +99,15 @@ void RodsNearMesh::add_deep(const TriangleSurface &surface, const Vec3 &end, dou
   };
   for (const int triangle : touched_) note(triangle);
   for (const int facet : pierced) note(facet);  // which has the number of one of its triangles
-  if (deep.empty()) return;
-  for (int triangle = 0; triangle < surface.count(); triangle++)
-    if (std::find(deep.begin(), deep.end(), surface.facet(triangle)) != deep.end() &&
-        surface.shape(triangle).holds_foot(end, reach))
-      triangles.push_back(triangle);
+  std::sort(deep.begin(), deep.end());
+  deep.erase(std::unique(deep.begin(), deep.end()), deep.end());
+  for (const int facet : deep) {
+    int triangle = facet;
+    do {
+      if (surface.shape(triangle).holds_foot(end, reach)) triangles.push_back(triangle);
+      triangle = surface.next_of_facet(triangle);
+    } while (triangle != facet);
+  }
 }
 
 bool RodsNearMesh::find(const MeshSurface &mesh, const Capsule &rod, NearFeatures &features)

@@ -58,7 +58,7 @@ FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments 
   if (arguments_.turns && !primitiveWall_)
     rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane (got no primitive wall)", id);
   arguments_.others.clear();  // the deck's line is not kept
-  restart_global = has_variable();
+  restart_global = has_variable() || is_mesh_wall();
   rod_wall_ = dynamic_cast<RodWall *>(impl);
   begin_meshes();
   if (!primitiveWall_) return;
@@ -95,6 +95,8 @@ void FixWallGranSpherocylinder::init()
   look_at_rods();
   near_rods_.forget();
   for (WallMesh &mesh : meshes_) mesh.rods.forget();
+  check_meshes_are_kept_ones();
+  kept_meshes_.clear();
   last_known_id_ = 0;
   if (is_mesh_wall()) largest_id_ = atom->tag_max();
   meshes_may_be_others_ = true;
@@ -193,19 +195,23 @@ void FixWallGranSpherocylinder::move_wall()
 void FixWallGranSpherocylinder::write_restart(FILE *file)
 {
   if (comm->me != 0) return;
-  const double state[] = {place_, speed_, static_cast<double>(place_step_)};
-  const int size = sizeof(state);
+  std::vector<double> state = size_of_meshes();
+  state.insert(state.end(), {place_, speed_, static_cast<double>(place_step_)});
+  const int size = static_cast<int>(state.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(state, 1, size, file);
+  fwrite(state.data(), 1, size, file);
 }
 
+// It may have had no variable, or no meshes, when the file was written.
 void FixWallGranSpherocylinder::restart(char *state)
 {
-  if (!has_variable()) return;  // it may have had one when the file was written
   const double *values = reinterpret_cast<const double *>(state);
-  place_ = values[0];
-  speed_ = values[1];
-  place_step_ = static_cast<bigint>(values[2]);
+  const size_t sizes = 2 + 2 * static_cast<size_t>(values[0]);
+  if (is_mesh_wall() && values[0] > 0.0) kept_meshes_.assign(values, values + sizes);
+  if (!has_variable()) return;
+  place_ = values[sizes];
+  speed_ = values[sizes + 1];
+  place_step_ = static_cast<bigint>(values[sizes + 2]);
 }
 
 // LIGGGHTS gives `shear` along the cylinder's axis as a velocity, across it as a rate about the
@@ -366,15 +372,57 @@ void FixWallGranSpherocylinder::post_create()
   }
 }
 
+// How many meshes, values of a contact, and of each mesh triangles and area (m^2).
+std::vector<double> FixWallGranSpherocylinder::size_of_meshes() const
+{
+  std::vector<double> size = {static_cast<double>(meshes_.size()),
+                              static_cast<double>(mesh_histories_.values())};
+  for (const WallMesh &mesh : meshes_) {
+    TriMesh &triangles = *mesh.surface.fix().triMesh();
+    size.push_back(triangles.sizeGlobal());
+    size.push_back(triangles.areaMeshGlobal());
+  }
+  return size;
+}
+
+// Contacts that were read know triangles by their numbers, and the models' values by their places.
+void FixWallGranSpherocylinder::check_meshes_are_kept_ones() const
+{
+  constexpr double kSameArea = 1e-6;  // of a mesh that has moved, relative
+  if (kept_meshes_.empty()) return;
+  const std::vector<double> size = size_of_meshes();
+  if (size[0] != kept_meshes_[0])
+    rod_error_all(lmp,
+                  "Fix wall/gran (id %s): the restart file holds its contacts with %g meshes (got "
+                  "%g; expected the same meshes and contact models, or another id)",
+                  id, kept_meshes_[0], size[0]);
+  if (size[1] != kept_meshes_[1])
+    rod_error_all(lmp,
+                  "Fix wall/gran (id %s): the restart file holds contacts of %g values (got contact "
+                  "models with %g; expected the same ones, or another id)",
+                  id, kept_meshes_[1], size[1]);
+  for (size_t m = 0; m < meshes_.size(); m++) {
+    const double *now = &size[2 + 2 * m], *then = &kept_meshes_[2 + 2 * m];
+    if (now[0] != then[0] || std::fabs(now[1] - then[1]) > kSameArea * then[1])
+      rod_error_all(lmp,
+                    "Fix wall/gran (id %s): the restart file holds contacts with a mesh of %g "
+                    "triangles and an area of %g where mesh %s is (got %g and %g; expected the same "
+                    "mesh, or another id)",
+                    id, then[0], then[1], meshes_[m].surface.fix().id, now[0], now[1]);
+  }
+}
+
 int FixWallGranSpherocylinder::pack_restart(int rod, double *buffer)
 {
   buffer[0] = size_restart(rod);
   return 1 + mesh_histories_.pack(rod, buffer + 1);
 }
 
-// Behind the values of the fixes before this one, each beginning with how many it has.
+// Behind the values of the fixes before this one, each beginning with how many it has. Contacts of other
+// models are refused before they are used.
 void FixWallGranSpherocylinder::unpack_restart(int rod, int nth)
 {
+  if (kept_meshes_.empty() || kept_meshes_[1] != mesh_histories_.values()) return;
   const double *values = atom->extra[rod];
   for (int k = 0; k < nth; k++) values += static_cast<int>(values[0]);
   mesh_histories_.unpack(rod, values + 1);

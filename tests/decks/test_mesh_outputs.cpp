@@ -166,6 +166,50 @@ TEST(MeshWalls, OnThreeRanks)
                error);
 }
 
+// Contacts in a restart file know triangles by their numbers, and the models' values by their places.
+TEST(MeshWalls, GoOnWithTheContactsOfTheSameMeshesOnly)
+{
+  Scene scene = box_scene(box_walls());
+  const Vec3 low = {-0.15, -0.15, -0.15}, high = {0.15, 0.15, 0.15};
+  scene.files["finer.stl"] = stl(box_mesh(low, high, 6));
+  scene.files["wider.stl"] = stl(box_mesh(1.001 * low, 1.001 * high, 5));
+  scene.files["lid.stl"] = stl(tiled({{-0.1, -0.1, 0.155}, {0.2, 0.0, 0.0}, {0.0, 0.2, 0.0}}, 1, 1));
+  const DeckFolder folder;
+  ASSERT_EQ(run_deck(folder, scene, "run 2000\nwrite_restart at.2000\n").exit_code, 0);
+  const auto go_on = [&](const std::string &walls) {
+    folder.write("in.on", preamble(scene, Mode::OneRank) + "read_restart at.2000\n" +
+                              fmt::format("neighbor {} bin\ntimestep {}\n", scene.skin, scene.dt) +
+                              kMaterial + walls + kWeight + kMotion + "run 10\n");
+    return folder.run("in.on", {Program::Lmp, 1, 60});
+  };
+  const auto walls_of = [](const std::string &file, const std::string &id = "walls",
+                           const std::string &models = kModels) {
+    return mesh_fix("other", file) + mesh_wall(id, models, {"other"});
+  };
+  EXPECT_EQ(go_on(walls_of("box.stl")).exit_code, 0);
+  EXPECT_EQ(go_on(walls_of("finer.stl", "new")).exit_code, 0);
+
+  const std::string same_mesh = "expected the same mesh, or another id";
+  const std::pair<std::string, std::string> wrong[] = {
+      {walls_of("finer.stl"),
+       "Fix wall/gran (id walls): the restart file holds contacts with a mesh of 300 triangles and an "
+       "area of 0.54 where mesh other is (got 432 and 0.54; " +
+           same_mesh},
+      {walls_of("wider.stl"),
+       "area of 0.54 where mesh other is (got 300 and 0.54108; " + same_mesh},
+      {mesh_fix("other", "box.stl") + mesh_fix("lid", "lid.stl") +
+           mesh_wall("walls", kModels, {"other", "lid"}),
+       "Fix wall/gran (id walls): the restart file holds its contacts with 1 meshes (got 2; expected "
+       "the same meshes"},
+      {walls_of("box.stl", "walls", "linear tangential no_history"),
+       "Fix wall/gran (id walls): the restart file holds contacts of "}};
+  for (const auto &[walls, sentence] : wrong) {
+    const Outcome outcome = go_on(walls);
+    EXPECT_NE(outcome.exit_code, 0) << walls;
+    EXPECT_NE(outcome.output.find(sentence), std::string::npos) << outcome.output;
+  }
+}
+
 // Six sheets as six meshes of one wall, or with planes in the place of four of them, are one box.
 // LIGGGHTS knows one fix wall/gran of meshes.
 TEST(MeshWalls, MayBeOfManyMeshesAndManyWalls)
