@@ -15,25 +15,25 @@ namespace {
 
 // Of a thread: fewer are read sooner than others are told.
 constexpr int kFewestRods = 200;
+// How many contacts ahead rods are asked for.
+constexpr int kAhead = 2 * kBatch;
 
 }  // namespace
 
-void PairGatherer::read_rod(int i)
+PairGatherer::Reader PairGatherer::reader()
 {
-  rods_[i] = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(i);
-  states_[i] = {load(atom->v[i]), load(atom->omega[i]), rods_[i].segment.axis};
-}
-
-void PairGatherer::read_rods(const RodThreads &threads, bool all, const std::vector<int> &ghosts)
-{
-  const int owned = atom->nlocal, nall = owned + atom->nghost;
+  const int nall = atom->nlocal + atom->nghost;
   rods_.resize(nall);
   states_.resize(nall);
-  threads.run_over(all ? nall : owned, kFewestRods, [this](int first, int last) {
-    for (int i = first; i < last; i++) read_rod(i);
+  return {static_cast<const AtomVecSpherocylinder &>(*atom->avec), *atom, *this};
+}
+
+void PairGatherer::read_all(const RodThreads &threads)
+{
+  const Reader reader = this->reader();
+  threads.run_over(atom->nlocal + atom->nghost, kFewestRods, [reader](int first, int last) {
+    for (int i = first; i < last; i++) reader.read(i);
   });
-  if (!all)
-    for (const int i : ghosts) read_rod(i);
 }
 
 void PairGatherer::read_masses(int frozen_groups, bool effective_mass)
@@ -118,6 +118,9 @@ void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching,
   const RodState *states_i[kBatch], *states_j[kBatch];
   batch.count = std::min(kBatch, piece.first + piece.count - first);
   const bool remember = histories.remember_sides();
+  const int end = piece.first + piece.count;
+  for (int n = first + kAhead; n < std::min(first + kAhead + kBatch, end); n++)
+    fetch_early(states_[touching.pair(n).j]);
   for (int k = 0; k < batch.count; k++) {
     const CloseRodPairs::Entry &pair = touching.pair(first + k);
     const int i = pair.i, j = pair.j;

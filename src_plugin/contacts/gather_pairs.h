@@ -3,11 +3,13 @@
 
 #include <vector>
 
+#include "atom.h"
 #include "contacts/contact_batch.h"
 #include "contacts/rod_kinds.h"
 #include "core/capsule.h"
 #include "lists/touching_rod_pairs.h"
 #include "pointers.h"
+#include "rods/atom_vec_spherocylinder.h"
 
 namespace LAMMPS_NS {
 
@@ -29,8 +31,34 @@ class PairGatherer : protected Pointers {
  public:
   explicit PairGatherer(LAMMPS *lmp) : Pointers(lmp) {}
 
-  // Poses and motions of owned rods, and of these ghosts, or of all.
-  void read_rods(const RodThreads &threads, bool all, const std::vector<int> &ghosts);
+  // Poses and motions of all rods.
+  void read_all(const RodThreads &threads);
+  // Of one at a time, by any threads.
+  class Reader {
+   public:
+    Reader(const AtomVecSpherocylinder &avec, const Atom &atom, PairGatherer &gatherer)
+        : avec_(&avec),
+          v_(atom.v),
+          omega_(atom.omega),
+          rods_(gatherer.rods_.data()),
+          states_(gatherer.states_.data())
+    {
+    }
+    SPHEROCYLINDER_INLINE const spherocylinder::Capsule &read(int i) const
+    {
+      rods_[i] = avec_->capsule(i);
+      states_[i] = {spherocylinder::load(v_[i]), spherocylinder::load(omega_[i]),
+                    rods_[i].segment.axis};
+      return rods_[i];
+    }
+
+   private:
+    const AtomVecSpherocylinder *avec_;
+    double **v_, **omega_;
+    spherocylinder::Capsule *rods_;
+    spherocylinder::RodState *states_;
+  };
+  Reader reader();
   // Masses, inertias and kinds of all rods, when rods may have come, gone or changed. Rods of
   // `frozen_groups` do not give way.
   void read_masses(int frozen_groups, bool effective_mass);
@@ -53,7 +81,6 @@ class PairGatherer : protected Pointers {
   std::vector<spherocylinder::InverseInertia> inverses_;
   RodKinds kinds_;
 
-  void read_rod(int i);
   spherocylinder::InverseInertia inverse_of(int i, int frozen_groups, int driven_groups,
                                             bool effective_mass) const;
   void set_kind(ContactBatch &batch, int k) const;

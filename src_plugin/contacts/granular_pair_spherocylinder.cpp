@@ -111,10 +111,9 @@ void GranularPairSpherocylinder::read_restart_settings(FILE *file, int64_t hash)
   laws_.models().set_up_history();  // as long as the stored one, until init_granular
 }
 
-void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool migrated)
+void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool migrated,
+                                                        bool run_begins)
 {
-  // With `pre no` a run begins with its first step.
-  const bool run_begins = update->setupflag || update->ntimestep == update->firststep + 1;
   if (migrated || run_begins) check_types_have_properties(lmp, highest_type_);
   if (!migrated && run_begins) {
     close_pairs_.check_rods_are_the_same();
@@ -124,17 +123,9 @@ void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool mig
                "frozen group of rods, contacts still have those before (expected run without "
                "pre no)");
   }
-  close_pairs_.update(pair, gatherer_.rods(), migrated, [this](bool all) {
-    gatherer_.read_rods(*threads_, all, close_pairs_.tracked_ghosts());
-  });
+  close_pairs_.update(pair, *threads_, gatherer_, migrated);
   if (migrated) gatherer_.read_masses(pair.freeze_group_bit(), laws_.keywords().effective_mass);
-
-  int **flags = pair.listgranhistory ? pair.listgranhistory->firstneigh : nullptr;
-  double **values = pair.listgranhistory ? pair.listgranhistory->firstdouble : nullptr;
-  touching_pairs_.find(*threads_, close_pairs_.entries(), gatherer_.rods(), flags);
-  if (side_ >= 0 && (migrated || run_begins))
-    false_histories_.drop(touching_pairs_, gatherer_.rods(), flags, values, pair.dnum(), side_);
-  close_pairs_.counts().touching = touching_pairs_.count();
+  touching_pairs_.cut(*threads_, close_pairs_.entries());
 }
 
 void GranularPairSpherocylinder::compute_force(PairGran *pair, int eflag, int vflag, int)
@@ -145,29 +136,44 @@ void GranularPairSpherocylinder::compute_force(PairGran *pair, int eflag, int vf
     pair->evflag = pair->vflag_fdotr = 0;
 
   const bool migrated = close_pairs_.have_rods_migrated();
-  bring_pairs_up_to_date(*pair, migrated);
+  // With `pre no` a run begins with its first step.
+  const bool run_begins = update->setupflag || update->ntimestep == update->firststep + 1;
+  bring_pairs_up_to_date(*pair, migrated, run_begins);
   const NeighList *list = pair->listgranhistory;
   const PairHistories histories = {list ? list->firstneigh : nullptr,
                                    list ? list->firstdouble : nullptr, pair->dnum(), side_};
   laws_.begin({update->dt, pair->computeflag() != 0, pair->computeflag() && pair->shearupdate()});
-  end_contacts(histories);
-  work_out(*pair, histories);
+  work_out(*pair, histories, side_ >= 0 && (migrated || run_begins));
   laws_.end();
+  close_pairs_.counts().touching = touching_pairs_.count();
   sudden_overlaps_.end_step(migrated);
 }
 
-// Pairs that no longer touch forget their contact.
-void GranularPairSpherocylinder::end_contacts(const PairHistories &histories)
+// `may_be_false`: histories of pairs that do not touch any more.
+void GranularPairSpherocylinder::find_touching(PairGran &pair, const PairHistories &histories,
+                                               bool may_be_false)
 {
-  ContactLaw &law = laws_.chosen();
-  for (const CloseRodPairs::Entry &entry : touching_pairs_.parted()) {
+  const std::vector<Capsule> &rods = gatherer_.rods();
+  threads_->run(static_cast<int>(touching_pairs_.pieces().size()),
+                [&](int piece) { touching_pairs_.find(piece, rods, histories.flags); });
+  if (may_be_false)
+    false_histories_.drop(touching_pairs_, rods, histories.flags, histories.values, pair.dnum(),
+                          side_);
+}
+
+// Pairs that no longer touch forget their contact.
+void GranularPairSpherocylinder::end_contacts(int piece, int thread, const PairHistories &histories)
+{
+  ContactLaw &law = laws_.of_thread(thread);
+  for (const CloseRodPairs::Entry &entry : touching_pairs_.parted(piece)) {
     double *values = histories.values_of(entry.i, entry.index);
     law.contact_ended(entry.i, entry.j, histories.flags_of(entry.i, entry.index), values);
     if (histories.remember_sides()) store(kZero, values + side_);
   }
 }
 
-void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &histories)
+void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &histories,
+                                          bool may_be_false)
 {
   PairVirial virial(lmp, pair);
   NormalForceSums<PairGran> sums(lmp, pair);
@@ -180,12 +186,15 @@ void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &h
     observers.push_back(&rows.emplace(lmp, *wanted));
   }
 
-  if (observers.empty() && laws_.number() > 1 && touching_pairs_.pieces().size() > 1) {
+  const int pieces = static_cast<int>(touching_pairs_.pieces().size());
+  if (observers.empty() && laws_.number() > 1 && pieces > 1 && !may_be_false) {
     work_out_at_once(pair, histories);
   } else {
+    find_touching(pair, histories, may_be_false);
     // One after the other: observers see contacts in the order of the list.
-    for (size_t piece = 0; piece < touching_pairs_.pieces().size(); piece++)
-      work_out_piece(static_cast<int>(piece), 0, pair, histories, [&](const ContactBatch &batch) {
+    for (int piece = 0; piece < pieces; piece++) end_contacts(piece, 0, histories);
+    for (int piece = 0; piece < pieces; piece++)
+      work_out_piece(piece, 0, pair, histories, [&](const ContactBatch &batch) {
         if (pair.computeflag()) scatter_pairs(batch, pair, *atom);
         show(batch, observers);
       });
@@ -202,7 +211,7 @@ void GranularPairSpherocylinder::work_out_piece(int piece, int thread, const Pai
                                                 const PairHistories &histories, Use use)
 {
   ContactLaw &law = laws_.of_thread(thread);
-  auto &[batch, loads, seen, deep] = workers_[thread];
+  auto &[batch, seen, deep] = workers_[thread];
   const TouchingRodPairs::Piece &pairs = touching_pairs_.pieces()[piece];
   const bool springs_go_on = pair.computeflag() && pair.shearupdate();
   for (int first = pairs.first; first < pairs.first + pairs.count; first += kBatch) {
@@ -222,25 +231,23 @@ void GranularPairSpherocylinder::work_out_piece(int piece, int thread, const Pai
 
 void GranularPairSpherocylinder::work_out_at_once(PairGran &pair, const PairHistories &histories)
 {
-  const std::vector<TouchingRodPairs::Piece> &pieces = touching_pairs_.pieces();
-  const int number = static_cast<int>(pieces.size()), owned = atom->nlocal;
-  const auto next_rod = [&](int piece) {
-    return piece + 1 < number ? pieces[piece + 1].first_rod : owned;
-  };
+  const std::vector<Capsule> &rods = gatherer_.rods();
   const bool adds_forces = pair.computeflag() != 0;
-  threads_->run(number, [&](int piece) {
-    PairLoads &loads = workers_[piece].loads;
-    loads.clear();
-    work_out_piece(piece, piece, pair, histories, [&](const ContactBatch &batch) {
-      if (adds_forces) loads.keep(batch, next_rod(piece), owned);
-    });
-  });
-  if (!adds_forces) return;
-  threads_->run(number, [&](int piece) {
-    for (int before = 0; before < piece; before++)
-      workers_[before].loads.add_to_later(pair, *atom, pieces[piece].first_rod, next_rod(piece));
-    workers_[piece].loads.add_to_own(pair, *atom, next_rod(piece));
-  });
+  shared_scatter_.begin(touching_pairs_, pair, *atom);
+  threads_->run(
+      static_cast<int>(touching_pairs_.pieces().size()),
+      [&](int piece) {
+        touching_pairs_.find(piece, rods, histories.flags);
+        shared_scatter_.find_later_rods(piece);
+      },
+      [&](int piece) {
+        shared_scatter_.find_waiting_rods(piece);
+        end_contacts(piece, piece, histories);
+        work_out_piece(piece, piece, pair, histories, [&](const ContactBatch &batch) {
+          if (adds_forces) shared_scatter_.add(piece, batch);
+        });
+      },
+      [&](int piece) { shared_scatter_.add_to_waiting_rods(piece); });
 }
 
 void GranularPairSpherocylinder::keep_sides(const ContactBatch &batch) const

@@ -56,22 +56,23 @@ class GranularPairSpherocylinder : private Pointers,
   FalseHistories false_histories_;
   PairGatherer gatherer_;
   // What a thread works with.
-  struct Worker {
+  struct alignas(spherocylinder::kCacheLine) Worker {
     ContactBatch batch;
-    PairLoads loads;
     ContactMonitor::Seen seen;
     SuddenOverlaps::Seen deep;
   };
   std::vector<Worker> workers_;
+  SharedScatter shared_scatter_;
   const RodThreads *threads_ = nullptr;  // these three: attached to the rods
   ContactMonitor *monitor_ = nullptr;
   const ContactState *state_ = nullptr;
   SuddenOverlaps sudden_overlaps_;
 
   void use_search();
-  void bring_pairs_up_to_date(PairGran &pair, bool migrated);
-  void end_contacts(const PairHistories &histories);
-  void work_out(PairGran &pair, const PairHistories &histories);
+  void bring_pairs_up_to_date(PairGran &pair, bool migrated, bool run_begins);
+  void find_touching(PairGran &pair, const PairHistories &histories, bool may_be_false);
+  void end_contacts(int piece, int thread, const PairHistories &histories);
+  void work_out(PairGran &pair, const PairHistories &histories, bool may_be_false);
   template <typename Use>
   void work_out_piece(int piece, int thread, const PairGran &pair, const PairHistories &histories,
                       Use use);

@@ -43,34 +43,95 @@ void LAMMPS_NS::scatter_pairs(const ContactBatch &batch, PairGran &pair, Atom &a
   }
 }
 
-void PairLoads::keep(const ContactBatch &batch, int next_rod, int owned)
+void SharedScatter::begin(const TouchingRodPairs &touching, PairGran &pair, Atom &atom)
 {
+  touching_ = &touching;
+  pair_ = &pair;
+  atom_ = &atom;
+  const std::vector<TouchingRodPairs::Piece> &pieces = touching.pieces();
+  if (parts_.size() < pieces.size()) parts_.resize(pieces.size());
+  for (size_t k = 0; k < pieces.size(); k++) {
+    parts_[k].first_rod = pieces[k].first_rod;
+    parts_[k].next_rod = std::min(pieces[k].next_rod, atom.nlocal);
+    parts_[k].next_pair = pieces[k].first;
+  }
+  if (waits_.size() < static_cast<size_t>(atom.nlocal)) waits_.resize(atom.nlocal, 0);
+}
+
+void SharedScatter::find_later_rods(int piece)
+{
+  Part &own = parts_[piece];
+  own.later_rods.clear();
+  own.later.clear();
+  const auto [first, count, first_rod, next_rod] = touching_->pieces()[piece];
+  for (int n = first; n < first + count; n++) {
+    const int j = touching_->pair(n).j;
+    if (j >= next_rod && j < atom_->nlocal) own.later_rods.push_back(j);
+  }
+  fetch_next(piece);
+}
+
+// Forces and torques were cleared by one thread for all.
+void SharedScatter::fetch_next(int piece) const
+{
+  const TouchingRodPairs::Piece &pairs = touching_->pieces()[piece];
+  const int first = parts_[piece].next_pair,
+            last = std::min(first + kBatch, pairs.first + pairs.count);
+  for (int n = first; n < last; n++) {
+    const int j = touching_->pair(n).j;
+    if (j >= parts_[piece].next_rod) continue;
+    fetch_early_to_write(atom_->f[j]);
+    fetch_early_to_write(atom_->torque[j]);
+  }
+}
+
+void SharedScatter::find_waiting_rods(int piece)
+{
+  Part &own = parts_[piece];
+  for (int before = 0; before < piece; before++)
+    for (const int j : parts_[before].later_rods)
+      if (own.has(j) && !waits_[j]) {
+        waits_[j] = 1;
+        own.waiting_rods.push_back(j);
+      }
+}
+
+void SharedScatter::add(int piece, const ContactBatch &batch)
+{
+  const Adder rods(*pair_, *atom_);
+  Part &own = parts_[piece];
+  const int owned = atom_->nlocal;
+  const auto add_own = [&](int rod, const Vec3 &force, const Vec3 &torque) {
+    if (waits_[rod])
+      own.waiting.push_back({rod, force, torque});
+    else
+      rods.add(rod, force, torque);
+  };
   for (int k = 0; k < batch.count; k++) {
     if (!batch.can_move(k)) continue;
-    if (batch.j[k] >= next_rod && batch.j[k] < owned)
-      beyond_.push_back(static_cast<int>(loads_.size()));
-    loads_.push_back({batch.i[k], batch.j[k], batch.loads.force.get(k), batch.loads.torque_i.get(k),
-                      batch.loads.torque_j.get(k)});
+    const int j = batch.j[k];
+    const Vec3 force = batch.loads.force.get(k);
+    add_own(batch.i[k], force, batch.loads.torque_i.get(k));
+    if (j < own.next_rod)
+      add_own(j, -force, batch.loads.torque_j.get(k));
+    else if (j < owned)
+      own.later.push_back({j, -force, batch.loads.torque_j.get(k)});
   }
+  own.next_pair += batch.count;
+  fetch_next(piece);
 }
 
-void PairLoads::add_to_own(PairGran &pair, Atom &atom, int next_rod) const
+void SharedScatter::add_to_waiting_rods(int piece)
 {
-  const Adder rods(pair, atom);
-  const int end = std::min(next_rod, atom.nlocal);
-  for (const Load &load : loads_) {
-    rods.add(load.i, load.force, load.torque_i);
-    if (load.j < end) rods.add(load.j, -load.force, load.torque_j);
-  }
-}
-
-void PairLoads::add_to_later(PairGran &pair, Atom &atom, int first_rod, int next_rod) const
-{
-  const Adder rods(pair, atom);
-  for (const int k : beyond_) {
-    const Load &load = loads_[k];
-    if (load.j >= first_rod && load.j < next_rod) rods.add(load.j, -load.force, load.torque_j);
-  }
+  const Adder rods(*pair_, *atom_);
+  Part &own = parts_[piece];
+  for (int before = 0; before < piece; before++)
+    for (const Load &load : parts_[before].later)
+      if (own.has(load.rod)) rods.add(load.rod, load.force, load.torque);
+  for (const Load &load : own.waiting) rods.add(load.rod, load.force, load.torque);
+  own.waiting.clear();
+  for (const int rod : own.waiting_rods) waits_[rod] = 0;
+  own.waiting_rods.clear();
 }
 
 void LAMMPS_NS::scatter_walls(const ContactBatch &batch, Atom &atom)

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "contacts/contact_batch.h"
+#include "core/prefetch.h"
+#include "lists/touching_rod_pairs.h"
 
 namespace LAMMPS_NS {
 
@@ -15,30 +17,41 @@ class PairGran;
 void scatter_pairs(const ContactBatch &batch, PairGran &pair, Atom &atom);
 void scatter_walls(const ContactBatch &batch, Atom &atom);
 
-// Loads of the pairs of one thread, kept until all threads have worked out theirs. Then each thread adds
-// those on its own rods, first those of the pairs of threads before it: so every rod gets its loads in the
-// order of the list, as from scatter_pairs. (Of two rods of this rank i is the lower, see RodPairList: no
-// thread adds to a rod of one before it.)
-class PairLoads {
+// The same by several threads, each with a piece of the touching pairs. Every rod gets its loads in the order
+// of the list, as from scatter_pairs: of two rods of this rank i is the lower (see RodPairList), so that a
+// thread adds to none of one before it; a rod that pairs of threads before have a load for waits for these.
+class SharedScatter {
  public:
-  void clear()
-  {
-    loads_.clear();
-    beyond_.clear();
-  }
-  // `next_rod`: the first that is of the next thread.
-  void keep(const ContactBatch &batch, int next_rod, int owned);
-  void add_to_own(PairGran &pair, Atom &atom, int next_rod) const;
-  // To rods of another thread, from `first_rod` on, below `next_rod`.
-  void add_to_later(PairGran &pair, Atom &atom, int first_rod, int next_rod) const;
+  // Before the pieces, in this order, all of them done with the one before.
+  void begin(const TouchingRodPairs &touching, PairGran &pair, Atom &atom);
+  void find_later_rods(int piece);
+  // Then of each batch of a piece, after all have found theirs.
+  void find_waiting_rods(int piece);
+  void add(int piece, const ContactBatch &batch);
+  // After all have added theirs.
+  void add_to_waiting_rods(int piece);
 
  private:
   struct Load {
-    int i, j;
-    spherocylinder::Vec3 force, torque_i, torque_j;
+    int rod;
+    spherocylinder::Vec3 force, torque;
   };
-  std::vector<Load> loads_;
-  std::vector<int> beyond_;  // loads whose j is of another thread of this rank
+  struct alignas(spherocylinder::kCacheLine) Part {
+    int first_rod, next_rod;
+    int next_pair = 0;              // to be added
+    std::vector<int> later_rods;    // of threads after this one, with pairs of this one
+    std::vector<int> waiting_rods;  // of this one, with pairs of threads before
+    std::vector<Load> later, waiting;
+
+    bool has(int rod) const { return first_rod <= rod && rod < next_rod; }
+  };
+  const TouchingRodPairs *touching_ = nullptr;
+  PairGran *pair_ = nullptr;
+  Atom *atom_ = nullptr;
+  std::vector<Part> parts_;
+  std::vector<char> waits_;  // of each owned rod
+
+  void fetch_next(int piece) const;
 };
 
 }  // namespace LAMMPS_NS

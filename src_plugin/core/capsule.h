@@ -3,6 +3,7 @@
 // capsule). A segment of zero length is a sphere. Space frame, any consistent unit of length.
 #pragma once
 
+#include "core/prefetch.h"
 #include "core/vec3.h"
 
 namespace spherocylinder {
@@ -16,7 +17,7 @@ struct Segment {
   Vec3 at(double s) const { return centre + s * axis; }
 };
 
-struct Capsule {
+struct alignas(kCacheLine) Capsule {
   Segment segment;
   double radius;  // > 0
 

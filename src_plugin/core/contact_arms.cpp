@@ -12,7 +12,7 @@ namespace {
 SPHEROCYLINDER_INLINE void set_rods(const RodState *const (&states)[kBatch], int k,
                                     const Four &along, Vec3s &arm, Vec3s &velocity, Vec3s &omega)
 {
-  static_assert(sizeof(RodState) == 9 * sizeof(double));
+  static_assert(sizeof(RodState) >= 9 * sizeof(double));
   FourRows rows;
   for (int row = 0; row < kFour; row++) rows[row] = &states[k + row]->velocity.x;
   Four head[kFour], tail[kFour], axis_z;

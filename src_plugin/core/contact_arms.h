@@ -5,6 +5,7 @@
 #include "core/batch.h"
 #include "core/closest_points_batch.h"
 #include "core/contact_kinematics.h"
+#include "core/prefetch.h"
 
 namespace spherocylinder {
 
@@ -26,7 +27,7 @@ struct ContactArms {
 };
 
 // What does not stay of a rod: its motion, and the axis that its arms lie on.
-struct RodState {
+struct alignas(kCacheLine) RodState {
   Vec3 velocity, omega, axis;
 };
 

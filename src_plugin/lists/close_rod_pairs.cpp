@@ -31,6 +31,9 @@ constexpr double kMostFoundAgain = 0.4;
 constexpr int64_t kStepsBetweenLooks = 200;
 constexpr double kTooWide = 2.0;
 
+// Of a thread: fewer are read sooner than others are told.
+constexpr int kFewestRods = 200;
+
 }  // namespace
 
 void CloseRodPairs::reset(const PairGran &pair, double skin)
@@ -55,14 +58,6 @@ void CloseRodPairs::check_rods_are_the_same() const
     rod_error_one(lmp,
                   "Run: pre no cannot be used after a command has deleted, added or renamed rods, "
                   "the list of pairs is that of the rods before (expected run without pre no)");
-}
-
-// Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about
-// the axis moves no surface. (a + b)^2 <= 2 a^2 + 2 b^2 saves the roots.
-double CloseRodPairs::twice_shift_squared(const Segment &now, const Segment &then)
-{
-  return 2.0 * (norm_squared(now.centre - then.centre) +
-                now.half_length * now.half_length * norm_squared(now.axis - then.axis));
 }
 
 // Of the fastest point of its surface, a spin about the axis left out (m/s).
@@ -102,12 +97,6 @@ void CloseRodPairs::list_at(int i, const Capsule &rod)
 double CloseRodPairs::least_half(double speed) const
 {
   return std::min(skins_.close_half(), skins_.close_half(speed));
-}
-
-bool CloseRodPairs::has_used_up_skin(int i, const Capsule &rod) const
-{
-  const double half = reference_[i].radius - rod.radius;
-  return twice_shift_squared(rod.segment, reference_[i].segment) > half * half;
 }
 
 // Moves a rod. False if it may come through its half of the outer skin before it moves again.
@@ -164,20 +153,32 @@ bool CloseRodPairs::list_goes_on(PairGran &pair, const std::vector<Capsule> &rod
   return list_.goes_on(pair);
 }
 
-CloseRodPairs::Wanted CloseRodPairs::look(const std::vector<Capsule> &rods)
+bool CloseRodPairs::begin_to_look(const RodThreads &threads, int rods)
 {
   const double close = skins_.close();
-  if (skins_.is_time_to_choose(static_cast<int>(rods.size())) && skins_.choose(mean_root_speed()))
-    return Wanted::AllPairs;
+  if (skins_.is_time_to_choose(rods) && skins_.choose(mean_root_speed())) return false;
+  skin_is_new_ = skins_.close() != close;
+  moving_.resize(threads.pieces_of(atom->nlocal, kFewestRods));
+  for (std::vector<int> &moving : moving_) moving.clear();
+  return true;
+}
 
-  const bool all = skins_.close() != close, may_be_slow = counts_.steps % kStepsBetweenLooks == 0;
+CloseRodPairs::Wanted CloseRodPairs::finish_to_look(const std::vector<Capsule> &rods)
+{
+  const bool may_be_slow = counts_.steps % kStepsBetweenLooks == 0;
   const auto is_to_move = [&](int i) {
-    return has_used_up_skin(i, rods[i]) || all || (may_be_slow && is_skin_too_wide(i, rods[i]));
+    return skin_is_new_ || has_used_up_skin(rods[i], reference_[i]) ||
+           (may_be_slow && is_skin_too_wide(i, rods[i]));
   };
   bool lasts = true;
   const int owned = atom->nlocal;
-  for (int i = 0; i < owned; i++)
-    if (is_to_move(i)) lasts &= move_on(i, rods[i]);
+  if (skin_is_new_ || may_be_slow) {
+    for (int i = 0; i < owned; i++)
+      if (is_to_move(i)) lasts &= move_on(i, rods[i]);
+  } else {
+    for (const std::vector<int> &moving : moving_)
+      for (const int i : moving) lasts &= move_on(i, rods[i]);
+  }
   for (const int i : tracked_ghosts())
     if (is_to_move(i)) lasts &= move_on(i, rods[i]);
   if (!lasts || !ghosts_stay())

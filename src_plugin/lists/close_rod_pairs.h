@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "atom.h"
 #include "core/closest_points.h"
 #include "lists/pair_skins.h"
 #include "lists/rod_pair_list.h"
+#include "rods/rod_threads.h"
 
 namespace LAMMPS_NS {
 
@@ -53,21 +55,23 @@ class CloseRodPairs : protected Pointers {
   // In the first step of a run that goes on with the lists of the one before (`pre no`).
   void check_rods_are_the_same() const;
 
-  // Brings both lists up to date; `read(all)` is asked for the present poses in `rods`, of all rods or
-  // only of tracked ones. `migrated`: as have_rods_migrated says.
-  template <typename Read>
-  void update(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, bool migrated,
-              Read read)
+  // Brings both lists up to date. The present poses in poses.rods() are read here: all of them by
+  // poses.read_all(threads), one by poses.reader().read(i). `migrated`: as have_rods_migrated says.
+  template <typename Poses>
+  void update(PairGran &pair, const RodThreads &threads, Poses &poses, bool migrated)
   {
-    read(migrated);
-    if (migrated && list_goes_on(pair, rods)) migrated = false;
-    Wanted wanted = migrated ? Wanted::AllPairs : look(rods);
+    const std::vector<spherocylinder::Capsule> &rods = poses.rods();
+    if (migrated) {
+      poses.read_all(threads);
+      migrated = !list_goes_on(pair, rods);
+    }
+    Wanted wanted = migrated ? Wanted::AllPairs : look(threads, poses.reader(), rods);
     if (wanted == Wanted::SomePairs) {
-      read(true);
+      poses.read_all(threads);
       wanted = renew_some(pair, rods) ? Wanted::ClosePairs : Wanted::AllPairs;
     }
     if (wanted == Wanted::AllPairs) {
-      if (!migrated) read(true);
+      if (!migrated) poses.read_all(threads);
       renew(pair, rods, migrated);
     }
     if (wanted == Wanted::ClosePairs) refresh(pair);
@@ -90,6 +94,9 @@ class CloseRodPairs : protected Pointers {
   std::vector<spherocylinder::Capsule> reference_, list_reference_;
   std::vector<double> radii_;         // m, when the list was made
   std::array<double, 3> list_box_{};  // m, then
+  // Owned rods that have come through their skins, as each thread has seen them.
+  std::vector<std::vector<int>> moving_;
+  bool skin_is_new_ = false;  // of the close pairs, in this step
   // Rods and ghosts whose pairs have to be looked at again, and whether each is one.
   std::vector<int> moved_rods_;
   std::vector<char> moved_;
@@ -111,8 +118,33 @@ class CloseRodPairs : protected Pointers {
   enum class Wanted { Nothing, ClosePairs, SomePairs, AllPairs };
 
   bool list_goes_on(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);
-  Wanted look(const std::vector<spherocylinder::Capsule> &rods);
-  bool has_used_up_skin(int i, const spherocylinder::Capsule &rod) const;
+  // Reads owned rods and tracked ghosts, and looks which have come through their skins.
+  template <typename Reader>
+  Wanted look(const RodThreads &threads, const Reader reader,
+              const std::vector<spherocylinder::Capsule> &rods)
+  {
+    if (!begin_to_look(threads, static_cast<int>(rods.size()))) return Wanted::AllPairs;
+    const int owned = atom->nlocal, pieces = static_cast<int>(moving_.size());
+    const spherocylinder::Capsule *reference = reference_.data();
+    threads.run(pieces, [=](int piece) {
+      const int last = RodThreads::first_of(piece + 1, pieces, owned);
+      for (int i = RodThreads::first_of(piece, pieces, owned); i < last; i++) {
+        const spherocylinder::Capsule &rod = reader.read(i);
+        if (has_used_up_skin(rod, reference[i])) moving_[piece].push_back(i);
+      }
+    });
+    for (const int i : tracked_ghosts()) reader.read(i);
+    return finish_to_look(rods);
+  }
+  // False if all pairs are to be listed anew.
+  bool begin_to_look(const RodThreads &threads, int rods);
+  Wanted finish_to_look(const std::vector<spherocylinder::Capsule> &rods);
+  static bool has_used_up_skin(const spherocylinder::Capsule &rod,
+                               const spherocylinder::Capsule &reference)
+  {
+    const double half = reference.radius - rod.radius;
+    return twice_shift_squared(rod.segment, reference.segment) > half * half;
+  }
   bool move_on(int i, const spherocylinder::Capsule &rod);
   void move(int i, const spherocylinder::Capsule &rod, double half);
   void list_at(int i, const spherocylinder::Capsule &rod);
@@ -132,8 +164,14 @@ class CloseRodPairs : protected Pointers {
   bool is_close(int i, int j) const;
   bool ghosts_stay() const;
   std::array<double, 3> box_size() const;
+  // Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about
+  // the axis moves no surface. (a + b)^2 <= 2 a^2 + 2 b^2 saves the roots.
   static double twice_shift_squared(const spherocylinder::Segment &now,
-                                    const spherocylinder::Segment &then);
+                                    const spherocylinder::Segment &then)
+  {
+    return 2.0 * (norm_squared(now.centre - then.centre) +
+                  now.half_length * now.half_length * norm_squared(now.axis - then.axis));
+  }
 };
 
 }  // namespace LAMMPS_NS

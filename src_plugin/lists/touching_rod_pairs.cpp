@@ -12,6 +12,9 @@ namespace {
 
 // Of a thread: fewer are done sooner than others are told.
 constexpr int kFewestClosePairs = 100;
+constexpr int kPastAll = std::numeric_limits<int>::max();
+// How many pairs ahead rods are asked for.
+constexpr int kAhead = 2 * kBatch;
 
 }  // namespace
 
@@ -83,49 +86,44 @@ void TouchingRodPairs::keep_touching(Piece &piece, Searcher &searcher, int start
 
 // Pieces of about as many close pairs, which begin with a rod's first: all pairs with a rod in the place of
 // i are in one.
-void TouchingRodPairs::cut(const RodThreads &threads)
-{
-  const int close = static_cast<int>(close_->size());
-  const int pieces = threads.pieces_of(close, kFewestClosePairs);
-  pieces_.clear();
-  for (int piece = 0, first = 0; piece < pieces; piece++) {
-    first = std::max(first, RodThreads::first_of(piece, pieces, close));
-    while (piece > 0 && first < close && (*close_)[first].i == (*close_)[first - 1].i) first++;
-    const int next_rod = first < close ? (*close_)[first].i : std::numeric_limits<int>::max();
-    pieces_.push_back({first, 0, piece == 0 ? 0 : next_rod});
-  }
-}
-
-void TouchingRodPairs::find_in_piece(Piece &piece, int end, Searcher &searcher,
-                                     const std::vector<Capsule> &rods, int **contact_flags)
-{
-  searcher.parted.clear();
-  for (int start = piece.first; start < end; start += kBatch) {
-    const int count = std::min(kBatch, end - start);
-    searcher.set(close_->data() + start, count, rods);
-    search_(searcher.batch);
-    if (any_above(searcher.batch.uncertain, 0.0, count)) searcher.make_certain(count);
-    swap_pairs(searcher.batch, searcher.swapped);
-    keep_touching(piece, searcher, start, count, contact_flags);
-  }
-}
-
-void TouchingRodPairs::find(const RodThreads &threads,
-                            const std::vector<CloseRodPairs::Entry> &close,
-                            const std::vector<Capsule> &rods, int **contact_flags)
+void TouchingRodPairs::cut(const RodThreads &threads,
+                           const std::vector<CloseRodPairs::Entry> &close)
 {
   close_ = &close;
   make_room(close.size());
-  cut(threads);
-  const int pieces = static_cast<int>(pieces_.size());
+  const int pairs = static_cast<int>(close.size());
+  const int pieces = threads.pieces_of(pairs, kFewestClosePairs);
+  pieces_.clear();
+  for (int piece = 0, first = 0; piece < pieces; piece++) {
+    first = std::max(first, RodThreads::first_of(piece, pieces, pairs));
+    while (piece > 0 && first < pairs && close[first].i == close[first - 1].i) first++;
+    const int next_rod = first < pairs ? close[first].i : kPastAll;
+    if (piece > 0) pieces_.back().next_rod = next_rod;
+    pieces_.push_back({first, 0, piece == 0 ? 0 : next_rod, kPastAll});
+  }
   if (searchers_.size() < pieces_.size()) searchers_.resize(pieces);
-  threads.run(pieces, [&](int k) {
-    const int end = k + 1 < pieces ? pieces_[k + 1].first : static_cast<int>(close.size());
-    find_in_piece(pieces_[k], end, searchers_[k], rods, contact_flags);
-  });
-  parted_.clear();
-  for (int k = 0; k < pieces; k++)
-    parted_.insert(parted_.end(), searchers_[k].parted.begin(), searchers_[k].parted.end());
+}
+
+void TouchingRodPairs::find(int piece, const std::vector<Capsule> &rods, int **contact_flags)
+{
+  Piece own = pieces_[piece];  // not beside those that other threads write
+  Searcher &searcher = searchers_[piece];
+  const CloseRodPairs::Entry *close = close_->data();
+  const bool is_last = piece + 1 == static_cast<int>(pieces_.size());
+  const int end = is_last ? static_cast<int>(close_->size()) : pieces_[piece + 1].first;
+  searcher.parted.clear();
+  own.count = 0;
+  for (int start = own.first; start < end; start += kBatch) {
+    const int count = std::min(kBatch, end - start);
+    for (int k = start + kAhead; k < std::min(start + kAhead + kBatch, end); k++)
+      fetch_early(rods[close[k].j]);
+    searcher.set(close + start, count, rods);
+    search_(searcher.batch);
+    if (any_above(searcher.batch.uncertain, 0.0, count)) searcher.make_certain(count);
+    swap_pairs(searcher.batch, searcher.swapped);
+    keep_touching(own, searcher, start, count, contact_flags);
+  }
+  pieces_[piece].count = own.count;
 }
 
 int TouchingRodPairs::count() const

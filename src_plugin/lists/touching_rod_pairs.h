@@ -24,16 +24,17 @@ class TouchingRodPairs {
   using Search = void (*)(spherocylinder::SegmentPairs &);
   void search_by(Search search) { search_ = search; }
 
-  // `close` is to stay as it is while they are asked for. `contact_flags`: of LIGGGHTS's history list,
-  // null without one.
-  void find(const RodThreads &threads, const std::vector<CloseRodPairs::Entry> &close,
-            const std::vector<spherocylinder::Capsule> &rods, int **contact_flags);
+  // Once a step: cuts the close pairs into pieces for the threads. `close` is to stay as it is while they are
+  // asked for.
+  void cut(const RodThreads &threads, const std::vector<CloseRodPairs::Entry> &close);
+  // Then once for each piece, by any threads. `contact_flags`: of LIGGGHTS's history list, null without one.
+  void find(int piece, const std::vector<spherocylinder::Capsule> &rods, int **contact_flags);
 
   // What one thread has found: places that follow each other, of pairs with rods from first_rod on, and
-  // below that of the next piece, in the place of i. Pieces and places are in the order of the close pairs.
+  // below next_rod, in the place of i. Pieces and places are in the order of the close pairs.
   struct Piece {
     int first, count;
-    int first_rod;
+    int first_rod, next_rod;
   };
   const std::vector<Piece> &pieces() const { return pieces_; }
   int count() const;
@@ -46,8 +47,11 @@ class TouchingRodPairs {
     for (const Piece &piece : pieces_)
       for (int n = piece.first; n < piece.first + piece.count; n++) see(touch(n));
   }
-  // Pairs that do not touch but still have a contact flag.
-  const std::vector<CloseRodPairs::Entry> &parted() const { return parted_; }
+  // Of a piece: pairs that do not touch but still have a contact flag.
+  const std::vector<CloseRodPairs::Entry> &parted(int piece) const
+  {
+    return searchers_[piece].parted;
+  }
 
   // Those from the place `first` on, and whatever stands behind the last up to a whole batch.
   spherocylinder::ClosestLanes lanes(int first) const
@@ -63,7 +67,7 @@ class TouchingRodPairs {
 
  private:
   // What a thread searches with.
-  struct Searcher {
+  struct alignas(spherocylinder::kCacheLine) Searcher {
     spherocylinder::SegmentPairs batch{};
     // Of the batch: the rods by their ids' order, and whether that is not the list's.
     const spherocylinder::Capsule *first[spherocylinder::kBatch], *second[spherocylinder::kBatch];
@@ -82,12 +86,8 @@ class TouchingRodPairs {
   std::vector<int>
       of_close_;  // and of each the numbers of its touch, a batch longer than the close pairs
   std::vector<double> s_, t_, delta_x_, delta_y_, delta_z_, distance_squared_, nearly_parallel_;
-  std::vector<CloseRodPairs::Entry> parted_;
 
   void make_room(size_t close);
-  void cut(const RodThreads &threads);
-  void find_in_piece(Piece &piece, int end, Searcher &searcher,
-                     const std::vector<spherocylinder::Capsule> &rods, int **contact_flags);
   void keep_touching(Piece &piece, Searcher &searcher, int start, int count, int **contact_flags);
 };
 

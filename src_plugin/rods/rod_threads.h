@@ -26,13 +26,22 @@ class RodThreads : private Pointers {
   // How many pieces so much work is worth: one if a thread would have less than `least` of it.
   int pieces_of(int work, int least) const { return work >= least * count_ ? count_ : 1; }
 
-  // Calls work(piece) for each of them, at once, and returns when all are done.
-  template <typename Work>
-  void run(int pieces, Work work) const
+  // Calls work(piece) for each of them, at once, and returns when all are done. Of several works the next
+  // one begins when all pieces of the one before are done.
+  template <typename... Works>
+  void run(int pieces, Works... works) const
   {
-    if (pieces == 1) return work(0);
-#pragma omp parallel for num_threads(pieces) schedule(static, 1)
-    for (int piece = 0; piece < pieces; piece++) work(piece);
+    if (pieces == 1) return (works(0), ...);
+#pragma omp parallel num_threads(pieces)
+    {
+      bool is_first = true;
+      const auto run_next = [&](auto &work) {
+        if (!is_first) wait_for_all();
+        is_first = false;
+        run_pieces(pieces, work);
+      };
+      (run_next(works), ...);
+    }
   }
 
   // Calls work(first, last) for parts of 0 ... number - 1.
@@ -54,6 +63,17 @@ class RodThreads : private Pointers {
   bool told_ = false;
 
   int from_environment() const;
+  // Within a parallel region.
+  static void wait_for_all()
+  {
+#pragma omp barrier
+  }
+  template <typename Work>
+  static void run_pieces(int pieces, Work &work)
+  {
+#pragma omp for schedule(static, 1) nowait
+    for (int piece = 0; piece < pieces; piece++) work(piece);
+  }
 };
 
 }  // namespace LAMMPS_NS
