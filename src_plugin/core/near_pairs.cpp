@@ -14,6 +14,8 @@ constexpr double kBucketsPerCube = 4.0;
 // Cells in a dimension: so that their numbers are whole numbers, whatever the space between the rods.
 constexpr double kMostCells = 1e6;
 constexpr int kNone = -1, kGone = -1;
+// Look-ups are numbered; in one search there are no more than half of these.
+constexpr int kMostLookUps = 1 << 30;
 
 Vec3 smaller(const Vec3 &a, const Vec3 &b)
 {
@@ -167,43 +169,75 @@ void NearPairs::enter(int i, const Capsule &rod)
   }
 }
 
-// The rods that i shares cells with become candidates, of those entered before it.
-void NearPairs::look_up(const std::vector<Capsule> &rods, int i)
+void NearPairs::LookUp::begin(size_t rods)
 {
-  candidates_.clear();
-  last_seen_[i] = ++look_ups_;
+  if (last_seen.size() != rods || look_ups > kMostLookUps) {
+    last_seen.assign(rods, 0);
+    look_ups = 0;
+  }
+  partners.clear();
+  found.clear();
+  tried = 0;
+}
+
+// The rods that i shares cells with become candidates, of those entered before it.
+void NearPairs::look_up(const std::vector<Capsule> &rods, int i, LookUp &own) const
+{
+  own.candidates.clear();
+  int *last_seen = own.last_seen.data();
+  const int now = ++own.look_ups;
+  last_seen[i] = now;
   for (int k = of_rods_[i].first; k < of_rods_[i].end; k++)
     for (int m = entries_[k].before; m != kNone; m = entries_[m].before) {
       const int j = entries_[m].rod;
-      if (j == kGone || last_seen_[j] == look_ups_) continue;
-      last_seen_[j] = look_ups_;
-      candidates_.push_back(j);
+      if (j == kGone || last_seen[j] == now) continue;
+      last_seen[j] = now;
+      own.candidates.push_back(j);
     }
-  tried_ += static_cast<int64_t>(candidates_.size());
-  keep_near(rods, i);
+  own.tried += static_cast<int64_t>(own.candidates.size());
+  keep_near(rods, i, own);
 }
 
 // Of the candidates, those near rod i.
-void NearPairs::keep_near(const std::vector<Capsule> &rods, int i)
+void NearPairs::keep_near(const std::vector<Capsule> &rods, int i, LookUp &own) const
 {
-  const int n = static_cast<int>(candidates_.size());
+  SegmentPairs &batch = own.batch;
+  const int n = static_cast<int>(own.candidates.size());
   for (int start = 0; start < n; start += kBatch) {
     const int count = std::min(kBatch, n - start);
-    const int *js = &candidates_[start];
+    const int *js = &own.candidates[start];
     for (int k = 0; k < count; k++)
-      batch_.set(k, rods[i].segment, rods[js[k]].segment,
-                 rods[i].radius + rods[js[k]].radius + gap_);
-    closest_points(batch_);
+      batch.set(k, rods[i].segment, rods[js[k]].segment,
+                rods[i].radius + rods[js[k]].radius + gap_);
+    closest_points(batch);
     for (int k = 0; k < count; k++) {
-      if (batch_.uncertain[k] != 0.0) make_certain(batch_, k, rods[i].segment, rods[js[k]].segment);
-      if (batch_.distance_squared[k] < batch_.reach[k] * batch_.reach[k])
-        partners_.push_back(js[k]);
+      if (batch.uncertain[k] != 0.0) make_certain(batch, k, rods[i].segment, rods[js[k]].segment);
+      if (batch.distance_squared[k] < batch.reach[k] * batch.reach[k])
+        own.partners.push_back(js[k]);
     }
   }
 }
 
+// Calls look(n, own) for n of 0 ... number - 1, those of a piece in their order.
+template <typename Look>
+void NearPairs::look_up_all(const std::vector<Capsule> &rods, int number,
+                            const SearchPieces &pieces, Look look)
+{
+  look_ups_.resize(pieces.count);
+  const auto first_of = [&](int piece) {
+    return static_cast<int>(static_cast<int64_t>(number) * piece / pieces.count);
+  };
+  pieces.run([&](int piece) {
+    LookUp &own = look_ups_[piece];
+    own.begin(rods.size());
+    for (int n = first_of(piece); n < first_of(piece + 1); n++) look(n, own);
+  });
+  for (const LookUp &own : look_ups_) tried_ += own.tried;
+}
+
 // Entered from the last to the first: before a rod's entries are those of higher number.
-void NearPairs::find(const std::vector<Capsule> &rods, int owned, double gap)
+void NearPairs::find(const std::vector<Capsule> &rods, int owned, double gap,
+                     const SearchPieces &pieces)
 {
   owned_ = owned;
   gap_ = gap;
@@ -219,17 +253,20 @@ void NearPairs::find(const std::vector<Capsule> &rods, int owned, double gap)
   cells_ = static_cast<int64_t>(entries_.size());
   most_entries_ = 2 * entries_.size();
 
-  last_seen_.assign(rods.size(), 0);
-  look_ups_ = 0;
-  for (int i = 0; i < owned; i++) {
-    first_[i] = static_cast<int>(partners_.size());
-    look_up(rods, i);
-    std::sort(partners_.begin() + first_[i], partners_.end());
-  }
-  first_[owned] = static_cast<int>(partners_.size());
+  // Of each row its length, then where the next one begins.
+  look_up_all(rods, owned, pieces, [&](int i, LookUp &own) {
+    const size_t first = own.partners.size();
+    look_up(rods, i, own);
+    std::sort(own.partners.begin() + first, own.partners.end());
+    first_[i + 1] = static_cast<int>(own.partners.size() - first);
+  });
+  for (int i = 0; i < owned; i++) first_[i + 1] += first_[i];
+  for (const LookUp &own : look_ups_)
+    partners_.insert(partners_.end(), own.partners.begin(), own.partners.end());
 }
 
-bool NearPairs::find_again(const std::vector<Capsule> &rods, const std::vector<int> &moved)
+bool NearPairs::find_again(const std::vector<Capsule> &rods, const std::vector<int> &moved,
+                           const SearchPieces &pieces)
 {
   if (rods.size() != of_rods_.size() || entries_.size() > most_entries_) return false;
   for (const int i : moved)
@@ -243,11 +280,16 @@ bool NearPairs::find_again(const std::vector<Capsule> &rods, const std::vector<i
   for (const int i : moved) {
     enter(i, rods[i]);
     cells_ += of_rods_[i].end - of_rods_[i].first;
-    partners_.clear();
-    look_up(rods, i);
-    for (const int j : partners_)
-      if (std::min(i, j) < owned_) found_.push_back({std::min(i, j), std::max(i, j)});
   }
+  look_up_all(rods, static_cast<int>(moved.size()), pieces, [&](int n, LookUp &own) {
+    const int i = moved[n];
+    own.partners.clear();
+    look_up(rods, i, own);
+    for (const int j : own.partners)
+      if (std::min(i, j) < owned_) own.found.push_back({std::min(i, j), std::max(i, j)});
+  });
+  for (const LookUp &own : look_ups_)
+    found_.insert(found_.end(), own.found.begin(), own.found.end());
   return true;
 }
 

@@ -3,12 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/capsule.h"
 #include "core/closest_points_batch.h"
 
 namespace spherocylinder {
+
+// Who searches: `run` calls work(piece) for 0 ... count - 1, each once and maybe at once, and returns when all
+// are done. What is found does not depend on it.
+struct SearchPieces {
+  int count = 1;
+  std::function<void(const std::function<void(int)> &work)> run = [](const auto &work) { work(0); };
+};
 
 // Bounding spheres of rods of aspect ratio lambda overlap lambda times as often as the rods are near.
 // Here each rod is entered in the cells of a grid, some rod diameters wide, that a tube around its
@@ -29,12 +37,14 @@ class NearPairs {
 
   // Finds all pairs (i, j), i < owned and i < j, whose surfaces are nearer than `gap` >= 0 (m). Rods
   // from `owned` on are looked at as partners only, and may lie far from the others.
-  void find(const std::vector<Capsule> &rods, int owned, double gap);
+  void find(const std::vector<Capsule> &rods, int owned, double gap,
+            const SearchPieces &pieces = {});
 
   // Of the same rods some have `moved`, the others are where they were: finds the pairs of these, as
   // found() has them, at a cost that grows with their number only. False if all want to be looked at
   // again: a rod has left the grid, or the grid is full of places where rods have been.
-  bool find_again(const std::vector<Capsule> &rods, const std::vector<int> &moved);
+  bool find_again(const std::vector<Capsule> &rods, const std::vector<int> &moved,
+                  const SearchPieces &pieces = {});
 
   // The partners of rod i are partners()[first(i)] ... partners()[first(i + 1) - 1], in ascending
   // order; after find.
@@ -74,12 +84,21 @@ class NearPairs {
   std::vector<Entries> of_rods_;
   size_t most_entries_ = 0;  // until rods are entered anew
 
-  std::vector<int> last_seen_;  // of each rod: in which look-up it was a candidate last
-  int look_ups_ = 0;
-  std::vector<int> first_, partners_, candidates_;
+  // What one piece of the rods is looked up with.
+  struct LookUp {
+    std::vector<int> last_seen;  // of each rod: in which look-up it was a candidate last
+    int look_ups = 0;
+    std::vector<int> candidates, partners;
+    std::vector<Pair> found;
+    int64_t tried = 0;
+    SegmentPairs batch{};
+
+    void begin(size_t rods);
+  };
+  std::vector<LookUp> look_ups_;
+  std::vector<int> first_, partners_;
   std::vector<Pair> found_;
   int64_t cells_ = 0, tried_ = 0;
-  SegmentPairs batch_{};
 
   int cubes_on(const Segment &segment) const;
   Vec3 extent_of(const Capsule &rod) const;
@@ -87,8 +106,11 @@ class NearPairs {
   void lay_grid(const std::vector<Capsule> &rods);
   void make_buckets(double cubes);
   void enter(int i, const Capsule &rod);
-  void look_up(const std::vector<Capsule> &rods, int i);
-  void keep_near(const std::vector<Capsule> &rods, int i);
+  template <typename Look>
+  void look_up_all(const std::vector<Capsule> &rods, int number, const SearchPieces &pieces,
+                   Look look);
+  void look_up(const std::vector<Capsule> &rods, int i, LookUp &own) const;
+  void keep_near(const std::vector<Capsule> &rods, int i, LookUp &own) const;
 };
 
 }  // namespace spherocylinder

@@ -33,6 +33,7 @@ constexpr double kTooWide = 2.0;
 
 // Of a thread: fewer are read sooner than others are told.
 constexpr int kFewestRods = 200;
+constexpr int kFewestRows = 30;
 
 }  // namespace
 
@@ -257,7 +258,7 @@ void CloseRodPairs::see_changed_rows()
 
 // Of one row the close pairs, which are those of before but of rods that have moved. Pairs with a contact
 // flag are always kept: their parting must be seen.
-void CloseRodPairs::remake_row(const NeighList &list, int i)
+void CloseRodPairs::remake_row(const NeighList &list, int i, RowMaker &maker) const
 {
   const int *flags = list.listgranhistory ? list.listgranhistory->firstneigh[i] : nullptr;
   const int *neighbours = list.firstneigh[i];
@@ -270,36 +271,54 @@ void CloseRodPairs::remake_row(const NeighList &list, int i)
     while (old < old_end && entries_[old].j < j) old++;
     bool close = old < old_end && entries_[old].j == j;
     if (moved_i || moved_[j]) {
-      skins_.work.looked_at++;
+      maker.looked_at++;
       close = (flags && flags[index]) || is_close(i, j);
     }
-    if (close) changed_entries_.push_back({i, j, index, atom->tag[j] < atom->tag[i]});
+    if (close) maker.entries.push_back({i, j, index, atom->tag[j] < atom->tag[i]});
   }
-  skins_.work.walked += count;
+  maker.walked += count;
 }
 
-void CloseRodPairs::refresh(PairGran &pair)
+void CloseRodPairs::refresh(PairGran &pair, const RodThreads &threads)
 {
   see_changed_rows();
-  remake_rows(pair);
+  remake_rows(pair, threads);
   counts_.refreshes++;
 }
 
 // Looks again at the pairs of rods that have moved.
-void CloseRodPairs::remake_rows(PairGran &pair)
+void CloseRodPairs::remake_rows(PairGran &pair, const RodThreads &threads)
 {
   changed_rows_.clear();
-  changed_entries_.clear();
-  bool fit = true;
   const int rows = static_cast<int>(row_changes_.size());
-  for (int i = 0; i < rows; i++) {
-    if (!row_changes_[i]) continue;
-    const size_t before = changed_entries_.size();
-    remake_row(*pair.list, i);
-    const int count = static_cast<int>(changed_entries_.size() - before);
-    changed_rows_.push_back({i, count});
-    fit &= count == first_entry_[i + 1] - first_entry_[i];
+  for (int i = 0; i < rows; i++)
+    if (row_changes_[i]) changed_rows_.push_back({i, 0});
+
+  const int number = static_cast<int>(changed_rows_.size());
+  const int pieces = threads.pieces_of(number, kFewestRows);
+  row_makers_.resize(pieces);
+  threads.run(pieces, [&](int piece) {
+    RowMaker &maker = row_makers_[piece];
+    maker.entries.clear();
+    maker.looked_at = maker.walked = 0;
+    const int last = RodThreads::first_of(piece + 1, pieces, number);
+    for (int n = RodThreads::first_of(piece, pieces, number); n < last; n++) {
+      const size_t before = maker.entries.size();
+      remake_row(*pair.list, changed_rows_[n].row, maker);
+      changed_rows_[n].count = static_cast<int>(maker.entries.size() - before);
+    }
+  });
+
+  changed_entries_.clear();
+  for (const RowMaker &maker : row_makers_) {
+    changed_entries_.insert(changed_entries_.end(), maker.entries.begin(), maker.entries.end());
+    skins_.work.looked_at += maker.looked_at;
+    skins_.work.walked += maker.walked;
   }
+  const bool fit =
+      std::all_of(changed_rows_.begin(), changed_rows_.end(), [&](const ChangedRow &changed) {
+        return changed.count == first_entry_[changed.row + 1] - first_entry_[changed.row];
+      });
   put_rows(fit);
 
   for (const int i : moved_rods_) moved_[i] = 0;
@@ -339,7 +358,8 @@ void CloseRodPairs::put_rows(bool fit)
   entries_.swap(next_entries_);
 }
 
-void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool migrated)
+void CloseRodPairs::renew(PairGran &pair, const RodThreads &threads,
+                          const std::vector<Capsule> &rods, bool migrated)
 {
   double diameter = 0.0;
   for (const Capsule &rod : rods) diameter += 2.0 * rod.radius / static_cast<double>(rods.size());
@@ -361,7 +381,7 @@ void CloseRodPairs::renew(PairGran &pair, const std::vector<Capsule> &rods, bool
   row_changes_.assign(pair.list->inum, 1);
   first_entry_.assign(pair.list->inum + 1, 0);
   entries_.clear();
-  remake_rows(pair);
+  remake_rows(pair, threads);
   // What LIGGGHTS asks for does not depend on the skin.
   if (!migrated) {
     skins_.work.renewed += static_cast<int64_t>(rods.size());

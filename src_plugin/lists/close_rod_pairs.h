@@ -72,9 +72,9 @@ class CloseRodPairs : protected Pointers {
     }
     if (wanted == Wanted::AllPairs) {
       if (!migrated) poses.read_all(threads);
-      renew(pair, rods, migrated);
+      renew(pair, threads, rods, migrated);
     }
-    if (wanted == Wanted::ClosePairs) refresh(pair);
+    if (wanted == Wanted::ClosePairs) refresh(pair, threads);
     count_step();
   }
 
@@ -87,6 +87,9 @@ class CloseRodPairs : protected Pointers {
   RodPairCounts &counts() { return counts_; }
 
  private:
+  // Of a thread: fewer are read sooner than others are told.
+  static constexpr int kFewestGhosts = 200;
+
   RodPairList list_;
   PairSkins skins_;
   bigint seen_builds_ = -1;  // of LIGGGHTS's lists, in this run
@@ -110,6 +113,12 @@ class CloseRodPairs : protected Pointers {
   };
   std::vector<ChangedRow> changed_rows_;
   std::vector<Entry> changed_entries_;
+  // What one thread makes of its part of them.
+  struct RowMaker {
+    std::vector<Entry> entries;
+    int64_t looked_at = 0, walked = 0;
+  };
+  std::vector<RowMaker> row_makers_;
   // Rods and ghosts that are found again.
   std::vector<int> found_again_;
   std::vector<char> is_found_again_;
@@ -133,7 +142,11 @@ class CloseRodPairs : protected Pointers {
         if (has_used_up_skin(rod, reference[i])) moving_[piece].push_back(i);
       }
     });
-    for (const int i : tracked_ghosts()) reader.read(i);
+    const std::vector<int> &ghosts = tracked_ghosts();
+    threads.run_over(static_cast<int>(ghosts.size()), kFewestGhosts,
+                     [reader, &ghosts](int first, int last) {
+                       for (int k = first; k < last; k++) reader.read(ghosts[k]);
+                     });
     return finish_to_look(rods);
   }
   // False if all pairs are to be listed anew.
@@ -154,11 +167,12 @@ class CloseRodPairs : protected Pointers {
   double mean_root_speed() const;
   bool renew_some(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);
   bool choose_moved(const std::vector<spherocylinder::Capsule> &rods);
-  void renew(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods, bool migrated);
-  void refresh(PairGran &pair);
+  void renew(PairGran &pair, const RodThreads &threads,
+             const std::vector<spherocylinder::Capsule> &rods, bool migrated);
+  void refresh(PairGran &pair, const RodThreads &threads);
   void see_changed_rows();
-  void remake_rows(PairGran &pair);
-  void remake_row(const NeighList &list, int i);
+  void remake_rows(PairGran &pair, const RodThreads &threads);
+  void remake_row(const NeighList &list, int i, RowMaker &maker) const;
   void put_rows(bool fit);
   void count_step();
   bool is_close(int i, int j) const;

@@ -10,9 +10,27 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
+#include "rods/atom_vec_spherocylinder.h"
+#include "rods/rod_threads.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
+
+namespace {
+
+// Of a thread: fewer are looked up sooner than others are told.
+constexpr int kFewestRods = 20;
+
+}  // namespace
+
+// For the search of so many rods.
+SearchPieces RodPairList::pieces_of(int rods) const
+{
+  const RodThreads &threads =
+      static_cast<AtomVecSpherocylinder &>(*atom->avec).attached<RodThreads>();
+  const int count = threads.pieces_of(rods, kFewestRods);
+  return {count, [&threads, count](const auto &work) { threads.run(count, work); }};
+}
 
 bool RodPairList::is_listed(int i, int j) const
 {
@@ -136,7 +154,7 @@ void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, bool m
 {
   NeighList &list = *pair.list;
   const int owned = neighbor->includegroup ? atom->nfirst : atom->nlocal;
-  near_.find(rods, owned, 0.0);
+  near_.find(rods, owned, 0.0, pieces_of(owned));
 
   // What LIGGGHTS has stored is asked for after it has migrated the rods, else the old list.
   std::swap(now_, before_);
@@ -208,7 +226,7 @@ void RodPairList::remake_row(int i, const NearPairs::Pair *found, const NearPair
 bool RodPairList::renew_some(PairGran &pair, const std::vector<Capsule> &rods,
                              const std::vector<int> &moved, const std::vector<char> &is_moved)
 {
-  if (!near_.find_again(rods, moved)) return false;
+  if (!near_.find_again(rods, moved, pieces_of(static_cast<int>(moved.size())))) return false;
   found_.clear();
   for (const NearPairs::Pair &found : near_.found())
     if (is_listed(found.i, found.j)) found_.push_back(found);

@@ -77,6 +77,7 @@ class RodPairList : protected Pointers {
   std::vector<double> history_;
   std::vector<spherocylinder::NearPairs::Pair> found_;
 
+  spherocylinder::SearchPieces pieces_of(int rods) const;
   bool is_listed(int i, int j) const;
   void begin_row();
   void add(int partner);
