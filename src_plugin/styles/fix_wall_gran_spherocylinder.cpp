@@ -95,8 +95,6 @@ void FixWallGranSpherocylinder::init()
   look_at_rods();
   near_rods_.forget();
   for (WallMesh &mesh : meshes_) mesh.rods.forget();
-  check_meshes_are_kept_ones();
-  kept_meshes_.clear();
   last_known_id_ = 0;
   if (is_mesh_wall()) largest_id_ = atom->tag_max();
   meshes_may_be_others_ = true;
@@ -385,8 +383,9 @@ std::vector<double> FixWallGranSpherocylinder::size_of_meshes() const
   return size;
 }
 
-// Contacts that were read know triangles by their numbers, and the models' values by their places.
-void FixWallGranSpherocylinder::check_meshes_are_kept_ones() const
+// Contacts that were read know triangles by their numbers, and the models' values by their places. Asked
+// once, when LIGGGHTS has spread the meshes over the ranks.
+void FixWallGranSpherocylinder::check_meshes_are_kept_ones()
 {
   constexpr double kSameArea = 1e-6;  // of a mesh that has moved, relative
   if (kept_meshes_.empty()) return;
@@ -410,6 +409,7 @@ void FixWallGranSpherocylinder::check_meshes_are_kept_ones() const
                     "mesh, or another id)",
                     id, then[0], then[1], meshes_[m].surface.fix().id, now[0], now[1]);
   }
+  kept_meshes_.clear();
 }
 
 int FixWallGranSpherocylinder::pack_restart(int rod, double *buffer)
@@ -458,6 +458,7 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
       mesh.surface.follow();
   }
   meshes_may_be_others_ = false;
+  check_meshes_are_kept_ones();
   check_meshes_are_slow();
   for (size_t m = 0; m < meshes_.size(); m++) {
     MeshSurface &mesh = meshes_[m].surface;

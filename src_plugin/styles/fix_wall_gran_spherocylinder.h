@@ -94,7 +94,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void forget_contacts_of_far_rods(double **history);
   void begin_meshes();
   std::vector<double> size_of_meshes() const;
-  void check_meshes_are_kept_ones() const;
+  void check_meshes_are_kept_ones();
   void check_meshes_are_slow() const;
 };
 
