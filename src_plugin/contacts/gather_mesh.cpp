@@ -10,9 +10,7 @@
 #include "contacts/rod_kinds.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
-#include "host/rod_error.h"
 #include "rods/atom_vec_spherocylinder.h"
-#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
@@ -34,6 +32,7 @@ void MeshGatherer::begin(const FixWallGran &fix, const MeshSurface &mesh, int nu
   wall_type_ = mesh.fix().atomTypeWall();
   turning_ = effective_mass ? 1.0 : 0.0;
   types_are_kinds_ = types_are_kinds;
+  pierced_rod_ = -1;
 }
 
 // What is kept of other meshes stays where it is.
@@ -75,7 +74,10 @@ int MeshGatherer::find(const RodsNearMesh::Near &near, ContactLaw &law)
   remember();
   find_contacts(capsule_, mesh_->surface(), near.features, remembered_, found_);
   match();
-  if (!near.features.pierced.empty() && remembered_.empty()) warn_of_pierced(near.features);
+  if (!near.features.pierced.empty() && remembered_.empty() && pierced_rod_ < 0) {
+    pierced_rod_ = rod_;
+    pierced_triangle_ = near.features.pierced.front();
+  }
   for (MeshHistories::Contact &contact : before_)
     if (contact.mesh == number_ && !contact.values.empty())
       law.contact_ended(rod_, -1, nullptr, contact.values.data());
@@ -138,16 +140,6 @@ void MeshGatherer::match()
                     contact.part, contact.along, contact.normal, std::move(values),
                     contact.triangle, mesh_->topology()});
   }
-}
-
-void MeshGatherer::warn_of_pierced(const NearFeatures &features)
-{
-  if (!warned_.insert(number_).second) return;
-  rod_warning(lmp,
-              "Fix wall/gran (id %s): rod %d goes through a face of mesh %s, near triangle %d, at "
-              "step " BIGINT_FORMAT "; it is pushed to the side where its centre is",
-              fix_->id, atom->tag[rod_], mesh_->fix().id, mesh_->id(features.pierced.front()),
-              update->ntimestep);
 }
 
 // Meshes of a wall may be of different types.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
 #include <vector>
 
 #include "contacts/contact_batch.h"
@@ -23,7 +22,7 @@ class FixWallGran;
 // and the same part of the same triangle, else the same triangle, else the same smooth patch, else a
 // neighbouring triangle whose normal does not turn by a right angle: an end that slides from triangle to
 // triangle, also over an edge, keeps its spring, turned into the new tangent plane. Of several the one
-// nearest along the rod.
+// nearest along the rod. Each thread has one for its rods.
 class MeshGatherer : protected Pointers {
  public:
   explicit MeshGatherer(LAMMPS *lmp) : Pointers(lmp) {}
@@ -41,6 +40,10 @@ class MeshGatherer : protected Pointers {
   // Adds those found last to the batch, from `first` on, as many as it has room for. Returns where to go on.
   int add(ContactBatch &batch, int first);
 
+  // Of this step, a rod that is there for the first time and lies through a face; -1 if none.
+  int pierced_rod() const { return pierced_rod_; }
+  int pierced_triangle() const { return pierced_triangle_; }
+
  private:
   const FixWallGran *fix_ = nullptr;
   const MeshSurface *mesh_ = nullptr;
@@ -48,7 +51,7 @@ class MeshGatherer : protected Pointers {
   int number_ = 0, wall_type_ = 0;
   bool types_are_kinds_ = false;
   double turning_ = 1.0;  // share of the rod's turning that damping knows of
-  std::set<int> warned_;  // meshes of which a rod that lies through a face was told
+  int pierced_rod_ = -1, pierced_triangle_ = -1;
 
   int rod_ = 0;
   spherocylinder::Capsule capsule_{};
@@ -62,7 +65,6 @@ class MeshGatherer : protected Pointers {
   void remember();
   void match();
   int agreement(const spherocylinder::SurfaceContact &now, size_t before) const;
-  void warn_of_pierced(const spherocylinder::NearFeatures &features);
   int64_t kind_of(int type) const;
   double mass_share(size_t k, const spherocylinder::InverseInertia &inverse) const;
 };

@@ -112,24 +112,29 @@ void PairGatherer::place_otherwise(ContactBatch &batch, int k, const TouchingRod
 
 void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching,
                         const TouchingRodPairs::Piece &piece, int first,
-                        const PairHistories &histories, bool spread) const
+                        const PairHistories &of_pairs, bool spread) const
 {
+  // Copies, which no store into the batch may change.
+  const PairHistories histories = of_pairs;
+  const TouchingRodPairs::Pairs pairs = touching.pairs();
+  const RodState *states = states_.data();
   ContactArms &arms = batch.arms;
   const RodState *states_i[kBatch], *states_j[kBatch];
   batch.count = std::min(kBatch, piece.first + piece.count - first);
   const bool remember = histories.remember_sides();
   const int end = piece.first + piece.count;
   for (int n = first + kAhead; n < std::min(first + kAhead + kBatch, end); n++)
-    fetch_early(states_[touching.pair(n).j]);
-  for (int k = 0; k < batch.count; k++) {
-    const CloseRodPairs::Entry &pair = touching.pair(first + k);
+    fetch_early(states[pairs[n].j]);
+  const int count = batch.count;
+  for (int k = 0; k < count; k++) {
+    const CloseRodPairs::Entry pair = pairs[first + k];
     const int i = pair.i, j = pair.j;
     batch.i[k] = i;
     batch.j[k] = j;
     batch.flags[k] = histories.flags_of(i, pair.index);
     batch.history[k] = histories.values_of(i, pair.index);
-    states_i[k] = &states_[i];
-    states_j[k] = &states_[j];
+    states_i[k] = &states[i];
+    states_j[k] = &states[j];
     arms.side.set(k, remember ? load(batch.history[k] + histories.side) : kZero);
   }
   const int64_t kind_of_all = kinds_.of_all_pairs();

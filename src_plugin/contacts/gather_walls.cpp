@@ -35,64 +35,12 @@ void WallGatherer::begin(const FixWallGran &fix, bool effective_mass, bool sprea
   fix_ = &fix;
   wall_type_ = fix.atom_type_wall();
   turning_ = effective_mass ? 1.0 : 0.0;
-}
-
-Capsule WallGatherer::capsule(int i) const
-{
-  return static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(i);
-}
-
-InverseInertia WallGatherer::inverse_of(int i) const
-{
-  return {1.0 / atom->rmass[i], turning_ / atom->inertia[i][0]};
-}
-
-WallGatherer::Inertia WallGatherer::inertia_of(const RodEnds &ends, double radius, int i) const
-{
-  const InverseInertia inverse = inverse_of(i);
-  return {inverse, turning_ * coupling_of_ends(ends, radius, inverse)};
-}
-
-int WallGatherer::add_contact(ContactBatch &batch, const MovingWall &wall, int i,
-                              const Capsule &rod, const Vec3 &arm, const EndContact &contact,
-                              const InverseInertia &inverse, double *history) const
-{
-  ContactArms &arms = batch.arms;
-  const int k = batch.count++;
-  batch.i[k] = i;
-  batch.j[k] = -1;
-  batch.type_i[k] = atom->type[i];
-  batch.type_j[k] = wall_type_;
-  batch.kind[k] = types_are_kinds_ ? atom->type[i] : RodKinds::kNone;
-  batch.end[k] = 0;
-  batch.flags[k] = nullptr;
-  batch.history[k] = history;
-  arms.arm_i.set(k, arm);
-  arms.velocity_i.set(k, load(atom->v[i]));
-  arms.velocity_j.set(k, wall.velocity_at(contact, rod.segment.centre + arm));
-  arms.omega_i.set(k, load(atom->omega[i]));
-  arms.inverse_mass_i[k] = inverse.mass;
-  arms.inverse_inertia_i[k] = inverse.transverse;
-  arms.radius_i[k] = rod.radius;
-  arms.normal.set(k, contact.normal);
-  arms.distance[k] = contact.distance;
-  arms.overlap[k] = rod.radius - contact.distance;
-  arms.mass_share[k] = 1.0;
-  arms.side.set(k, kZero);
-  return k;
-}
-
-void WallGatherer::add_end(ContactBatch &batch, const MovingWall &wall, int i, int end,
-                           const Capsule &rod, const RodEnds &ends, const Inertia &inertia,
-                           double *history) const
-{
-  const Vec3 &arm = ends.arms[end];
-  const EndContact &contact = ends.contacts[end];
-  const int k = add_contact(batch, wall, i, rod, arm, contact, inertia.inverse, history);
-  batch.end[k] = end;
-  if (inertia.coupling == 0.0) return;
-  const double alone = inverse_effective_mass(inertia.inverse, arm, contact.normal);
-  batch.arms.mass_share[k] = alone / (alone + inertia.coupling);
+  avec_ = static_cast<const AtomVecSpherocylinder *>(atom->avec);
+  v_ = atom->v;
+  omega_ = atom->omega;
+  inertia_ = atom->inertia;
+  mass_ = atom->rmass;
+  type_ = atom->type;
 }
 
 bool WallGatherer::add_outside(ContactBatch &batch, const MovingWall &wall, int i,

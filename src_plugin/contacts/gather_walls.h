@@ -4,8 +4,10 @@
 #include <array>
 
 #include "contacts/contact_batch.h"
+#include "contacts/rod_kinds.h"
 #include "core/contact_kinematics.h"
 #include "pointers.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "walls/moving_wall.h"
 
 namespace LAMMPS_NS {
@@ -41,10 +43,10 @@ class WallGatherer : protected Pointers {
   // Adds the ends of rod i that touch to the batch, which must have room for two. `histories`: of the
   // two ends, null without. `not_touching(end)` is called for the others.
   template <typename NotTouching>
-  void add(ContactBatch &batch, const MovingWall &wall, int i, const EndHistories &histories,
-           NotTouching not_touching)
+  SPHEROCYLINDER_INLINE void add(ContactBatch &batch, const MovingWall &wall, int i,
+                                 const EndHistories &histories, NotTouching not_touching) const
   {
-    const spherocylinder::Capsule rod = capsule(i);
+    const spherocylinder::Capsule rod = avec_->capsule(i);
     if (wall.surface.is_outside(rod.segment.centre)) {
       if (!add_outside(batch, wall, i, rod, histories[0])) not_touching(0);
       not_touching(1);
@@ -67,24 +69,70 @@ class WallGatherer : protected Pointers {
   bool types_are_kinds_ = false, spread_ = true;
   double turning_ = 1.0;  // share of the rod's turning that damping knows of
 
+  // Of the rods.
+  const AtomVecSpherocylinder *avec_ = nullptr;
+  double **v_ = nullptr, **omega_ = nullptr, **inertia_ = nullptr, *mass_ = nullptr;
+  const int *type_ = nullptr;
+
   struct Inertia {
     spherocylinder::InverseInertia inverse;
     double coupling;  // of its two ends, 1/kg
   };
-  spherocylinder::Capsule capsule(int i) const;
-  Inertia inertia_of(const RodEnds &ends, double radius, int i) const;
-  void add_end(ContactBatch &batch, const MovingWall &wall, int i, int end,
-               const spherocylinder::Capsule &rod, const RodEnds &ends, const Inertia &inertia,
-               double *history) const;
+  SPHEROCYLINDER_INLINE spherocylinder::InverseInertia inverse_of(int i) const
+  {
+    return {1.0 / mass_[i], turning_ / inertia_[i][0]};
+  }
+  SPHEROCYLINDER_INLINE Inertia inertia_of(const RodEnds &ends, double radius, int i) const
+  {
+    const spherocylinder::InverseInertia inverse = inverse_of(i);
+    return {inverse, turning_ * coupling_of_ends(ends, radius, inverse)};
+  }
+  SPHEROCYLINDER_INLINE void add_end(ContactBatch &batch, const MovingWall &wall, int i, int end,
+                                     const spherocylinder::Capsule &rod, const RodEnds &ends,
+                                     const Inertia &inertia, double *history) const
+  {
+    const spherocylinder::Vec3 &arm = ends.arms[end];
+    const EndContact &contact = ends.contacts[end];
+    const int k = add_contact(batch, wall, i, rod, arm, contact, inertia.inverse, history);
+    batch.end[k] = end;
+    if (inertia.coupling == 0.0) return;
+    const double alone = inverse_effective_mass(inertia.inverse, arm, contact.normal);
+    batch.arms.mass_share[k] = alone / (alone + inertia.coupling);
+  }
   // The contact of a rod outside of a cylinder. False if it does not touch.
   bool add_outside(ContactBatch &batch, const MovingWall &wall, int i,
                    const spherocylinder::Capsule &rod, double *history) const;
   // What does not depend on which part of the rod touches. Returns the contact's place in the batch.
-  int add_contact(ContactBatch &batch, const MovingWall &wall, int i,
-                  const spherocylinder::Capsule &rod, const spherocylinder::Vec3 &arm,
-                  const EndContact &contact, const spherocylinder::InverseInertia &inverse,
-                  double *history) const;
-  spherocylinder::InverseInertia inverse_of(int i) const;
+  SPHEROCYLINDER_INLINE int add_contact(ContactBatch &batch, const MovingWall &wall, int i,
+                                        const spherocylinder::Capsule &rod,
+                                        const spherocylinder::Vec3 &arm, const EndContact &contact,
+                                        const spherocylinder::InverseInertia &inverse,
+                                        double *history) const
+  {
+    spherocylinder::ContactArms &arms = batch.arms;
+    const int k = batch.count++;
+    batch.i[k] = i;
+    batch.j[k] = -1;
+    batch.type_i[k] = type_[i];
+    batch.type_j[k] = wall_type_;
+    batch.kind[k] = types_are_kinds_ ? type_[i] : RodKinds::kNone;
+    batch.end[k] = 0;
+    batch.flags[k] = nullptr;
+    batch.history[k] = history;
+    arms.arm_i.set(k, arm);
+    arms.velocity_i.set(k, spherocylinder::load(v_[i]));
+    arms.velocity_j.set(k, wall.velocity_at(contact, rod.segment.centre + arm));
+    arms.omega_i.set(k, spherocylinder::load(omega_[i]));
+    arms.inverse_mass_i[k] = inverse.mass;
+    arms.inverse_inertia_i[k] = inverse.transverse;
+    arms.radius_i[k] = rod.radius;
+    arms.normal.set(k, contact.normal);
+    arms.distance[k] = contact.distance;
+    arms.overlap[k] = rod.radius - contact.distance;
+    arms.mass_share[k] = 1.0;
+    arms.side.set(k, spherocylinder::kZero);
+    return k;
+  }
 };
 
 }  // namespace LAMMPS_NS

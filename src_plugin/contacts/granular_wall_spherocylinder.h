@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,9 +54,10 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
   FixWallGran *parent_;
   ContactLaws laws_;
   WallGatherer gatherer_;
-  MeshGatherer mesh_gatherer_;
+  std::deque<MeshGatherer> mesh_gatherers_;  // one a thread
+  std::set<int> told_of_pierced_;            // meshes
   // What a thread works with.
-  struct Worker {
+  struct alignas(spherocylinder::kCacheLine) Worker {
     ContactBatch batch;
     ContactMonitor::Seen seen;
   };
@@ -63,8 +66,19 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
   ContactMonitor *monitor_ = nullptr;
   const ContactState *state_ = nullptr;
 
-  // Of a rod's row of history: end 0 first.
-  EndHistories of_ends(double *row);
+  // What a thread does with a part of the rods near a wall.
+  void work_out(int thread, const int *rods, int count, MovingWall wall, double **history,
+                bool adds_forces, const ContactObservers &observers);
+  // The same with near rods of a mesh, and all rods from first_rod on and below next_rod.
+  void work_out_mesh(int thread, const RodsNearMesh::Near *begin, const RodsNearMesh::Near *end,
+                     int first_rod, int next_rod, bool is_new, bool adds_forces,
+                     const ContactObservers &observers);
+  void warn_of_pierced(const FixWallGran &fix, const MeshSurface &mesh, int number);
+  // Of a rod's row of history, values of an end each: end 0 first.
+  static EndHistories of_ends(double *row, int values)
+  {
+    return row ? EndHistories{row, row + values} : EndHistories{nullptr, nullptr};
+  }
   void finish_batch(int thread, bool adds_forces, const ContactObservers &observers);
   void take_what_was_seen();
 };

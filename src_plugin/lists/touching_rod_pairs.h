@@ -38,8 +38,21 @@ class TouchingRodPairs {
   };
   const std::vector<Piece> &pieces() const { return pieces_; }
   int count() const;
-  // By place.
-  const CloseRodPairs::Entry &pair(int n) const { return (*close_)[of_close_[n]]; }
+  // By place. A copy of it is not read anew whenever something is written.
+  class Pairs {
+   public:
+    Pairs(const CloseRodPairs::Entry *close, const int *of_close)
+        : close_(close), of_close_(of_close)
+    {
+    }
+    const CloseRodPairs::Entry &operator[](int n) const { return close_[of_close_[n]]; }
+
+   private:
+    const CloseRodPairs::Entry *close_;
+    const int *of_close_;
+  };
+  Pairs pairs() const { return {close_->data(), of_close_.data()}; }
+  const CloseRodPairs::Entry &pair(int n) const { return pairs()[n]; }
   Touch touch(int n) const;
   template <typename See>
   void for_each(See see) const

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "mesh_files.h"
 #include "scene.h"
 
 using namespace decks;
@@ -20,6 +21,7 @@ struct Contacts {
   const char *name, *models;
   std::vector<int> threads;
   const char *more = "";  // commands
+  bool in_mesh = false;   // a box of triangles that shakes, in the place of planes and a tube
 };
 
 void PrintTo(const Contacts &contacts, std::ostream *out) { *out << contacts.name; }
@@ -53,6 +55,23 @@ class WaitPolicy {
 
 // 900 rods of three lengths in layers fall on the floor of a closed box, and on each other: more close pairs,
 // rods at walls and rods than eight threads must have to be put to work.
+std::string primitive_walls(const std::string &models)
+{
+  return rod_wall("floor", models, "type 1 zplane 0.0") +
+         rod_wall("left", models, "type 1 xplane -0.265") +
+         rod_wall("right", models, "type 1 xplane 0.265") +
+         rod_wall("front", models, "type 1 yplane -0.265") +
+         rod_wall("back", models, "type 1 yplane 0.265") +
+         rod_wall("tube", models, "type 1 zcylinder 0.5 0.0 0.0");
+}
+
+std::string walls_of_triangles(Scene &scene, const std::string &models)
+{
+  scene.files["box.stl"] = stl(box_mesh({-0.265, -0.265, 0.0}, {0.265, 0.265, 0.35}, 6));
+  return mesh_fix("box", "box.stl") + mesh_wall("walls", models, {"box"}) +
+         "fix shake all move/mesh mesh box wiggle amplitude 0.0 0.0 0.002 period 0.04\n";
+}
+
 Scene falling_rods(const Contacts &contacts, const std::string &threads)
 {
   std::mt19937 random(982451653);
@@ -77,12 +96,8 @@ Scene falling_rods(const Contacts &contacts, const std::string &threads)
   scene.skin = 0.01;
   const std::string models = contacts.models;
   scene.physics = linear_material(2e4, 1e4, 0.2, 0.3) + no_rolling_friction(1) +
-                  rod_pair(models, threads) + rod_wall("floor", models, "type 1 zplane 0.0") +
-                  rod_wall("left", models, "type 1 xplane -0.265") +
-                  rod_wall("right", models, "type 1 xplane 0.265") +
-                  rod_wall("front", models, "type 1 yplane -0.265") +
-                  rod_wall("back", models, "type 1 yplane 0.265") +
-                  rod_wall("tube", models, "type 1 zcylinder 0.5 0.0 0.0") +
+                  rod_pair(models, threads) +
+                  (contacts.in_mesh ? walls_of_triangles(scene, models) : primitive_walls(models)) +
                   "fix weight all gravity 60.0 vector 0.0 0.0 -1.0\n"
                   "fix motion all nve/spherocylinder\n" +
                   contacts.more;
@@ -135,6 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
     , Threads,
     testing::Values(Contacts{"Linear", "linear tangential history", {2, 3, 4, 8}},
                     Contacts{"Frictionless", "linear tangential off", {2}},
+                    Contacts{"InAMesh", "linear tangential history", {2, 3}, "", true},
                     Contacts{"Observed",
                              "linear tangential history",
                              {3},
