@@ -140,22 +140,27 @@ void FixNVESpherocylinder::final_integrate()
 void FixNVESpherocylinder::half_step_plainly(bool drift)
 {
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  for (int i = 0; i < nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const double dtfm = dtf / atom->rmass[i];
-    sc::add_to(atom->v[i], dtfm * sc::load(atom->f[i]));
-    const double axial = atom->inertia[i][2], transverse = atom->inertia[i][0];
-    sc::Quaternion q = sc::load_quaternion(atom->quaternion[i]);
-    const sc::Vec3 omega_body =
-        sc::kicked_plainly(sc::in_body_frame(sc::load(atom->omega[i]), q),
-                           sc::in_body_frame(sc::load(atom->torque[i]), q), axial, transverse, dtf);
-    if (drift) {
-      sc::add_to(atom->x[i], dtv * sc::load(atom->v[i]));
-      q = sc::turned_plainly(q, omega_body, dtv);
-      sc::store(q, atom->quaternion[i]);
-    }
-    const sc::Vec3 omega = sc::rotated(omega_body, q);
-    sc::store(omega, atom->omega[i]);
-    sc::store(sc::angular_momentum(omega, sc::axis_of(q), axial, transverse), atom->angmom[i]);
+  threads_->run_over(nlocal, kFewestRods, [this, drift](int first, int last) {
+    for (int i = first; i < last; i++)
+      if (atom->mask[i] & groupbit) move_plainly(i, drift);
+  });
+}
+
+void FixNVESpherocylinder::move_plainly(int i, bool drift)
+{
+  const double dtfm = dtf / atom->rmass[i];
+  sc::add_to(atom->v[i], dtfm * sc::load(atom->f[i]));
+  const double axial = atom->inertia[i][2], transverse = atom->inertia[i][0];
+  sc::Quaternion q = sc::load_quaternion(atom->quaternion[i]);
+  const sc::Vec3 omega_body =
+      sc::kicked_plainly(sc::in_body_frame(sc::load(atom->omega[i]), q),
+                         sc::in_body_frame(sc::load(atom->torque[i]), q), axial, transverse, dtf);
+  if (drift) {
+    sc::add_to(atom->x[i], dtv * sc::load(atom->v[i]));
+    q = sc::turned_plainly(q, omega_body, dtv);
+    sc::store(q, atom->quaternion[i]);
   }
+  const sc::Vec3 omega = sc::rotated(omega_body, q);
+  sc::store(omega, atom->omega[i]);
+  sc::store(sc::angular_momentum(omega, sc::axis_of(q), axial, transverse), atom->angmom[i]);
 }

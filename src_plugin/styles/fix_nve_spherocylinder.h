@@ -38,6 +38,7 @@ class FixNVESpherocylinder : public FixNVE {
   void for_each_batch(Move move, Finish finish);
   void rotate_one(int i);
   void half_step_plainly(bool drift);
+  void move_plainly(int i, bool drift);
 };
 
 }  // namespace LAMMPS_NS
