@@ -123,8 +123,9 @@ void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching,
   batch.count = std::min(kBatch, piece.first + piece.count - first);
   const bool remember = histories.remember_sides();
   const int end = piece.first + piece.count;
-  for (int n = first + kAhead; n < std::min(first + kAhead + kBatch, end); n++)
-    fetch_early(states[pairs[n].j]);
+  if (touching.are_rods_far())
+    for (int n = first + kAhead; n < std::min(first + kAhead + kBatch, end); n++)
+      fetch_early(states[pairs[n].j]);
   const int count = batch.count;
   for (int k = 0; k < count; k++) {
     const CloseRodPairs::Entry pair = pairs[first + k];

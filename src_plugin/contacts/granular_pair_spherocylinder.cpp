@@ -125,7 +125,7 @@ void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool mig
   }
   close_pairs_.update(pair, *threads_, gatherer_, migrated);
   if (migrated) gatherer_.read_masses(pair.freeze_group_bit(), laws_.keywords().effective_mass);
-  touching_pairs_.cut(*threads_, close_pairs_.entries());
+  touching_pairs_.cut(*threads_, close_pairs_.entries(), gatherer_.rods().size());
 }
 
 void GranularPairSpherocylinder::compute_force(PairGran *pair, int eflag, int vflag, int)

@@ -15,6 +15,8 @@ constexpr int kFewestClosePairs = 100;
 constexpr int kPastAll = std::numeric_limits<int>::max();
 // How many pairs ahead rods are asked for.
 constexpr int kAhead = 2 * kBatch;
+// What is kept of so many rods is near a core in any case.
+constexpr size_t kMostNearRods = 5000;
 
 }  // namespace
 
@@ -87,7 +89,7 @@ void TouchingRodPairs::keep_touching(Piece &piece, Searcher &searcher, int start
 // Pieces of about as many close pairs, which begin with a rod's first: all pairs with a rod in the place of
 // i are in one.
 void TouchingRodPairs::cut(const RodThreads &threads,
-                           const std::vector<CloseRodPairs::Entry> &close)
+                           const std::vector<CloseRodPairs::Entry> &close, size_t rods)
 {
   close_ = &close;
   make_room(close.size());
@@ -101,6 +103,7 @@ void TouchingRodPairs::cut(const RodThreads &threads,
     if (piece > 0) pieces_.back().next_rod = next_rod;
     pieces_.push_back({first, 0, piece == 0 ? 0 : next_rod, kPastAll});
   }
+  are_rods_far_ = pieces > 1 || rods > kMostNearRods;
   if (searchers_.size() < pieces_.size()) searchers_.resize(pieces);
 }
 
@@ -109,14 +112,16 @@ void TouchingRodPairs::find(int piece, const std::vector<Capsule> &rods, int **c
   Piece own = pieces_[piece];  // not beside those that other threads write
   Searcher &searcher = searchers_[piece];
   const CloseRodPairs::Entry *close = close_->data();
+  const bool are_far = are_rods_far();
   const bool is_last = piece + 1 == static_cast<int>(pieces_.size());
   const int end = is_last ? static_cast<int>(close_->size()) : pieces_[piece + 1].first;
   searcher.parted.clear();
   own.count = 0;
   for (int start = own.first; start < end; start += kBatch) {
     const int count = std::min(kBatch, end - start);
-    for (int k = start + kAhead; k < std::min(start + kAhead + kBatch, end); k++)
-      fetch_early(rods[close[k].j]);
+    if (are_far)
+      for (int k = start + kAhead; k < std::min(start + kAhead + kBatch, end); k++)
+        fetch_early(rods[close[k].j]);
     searcher.set(close + start, count, rods);
     search_(searcher.batch);
     if (any_above(searcher.batch.uncertain, 0.0, count)) searcher.make_certain(count);

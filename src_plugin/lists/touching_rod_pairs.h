@@ -26,7 +26,9 @@ class TouchingRodPairs {
 
   // Once a step: cuts the close pairs into pieces for the threads. `close` is to stay as it is while they are
   // asked for.
-  void cut(const RodThreads &threads, const std::vector<CloseRodPairs::Entry> &close);
+  void cut(const RodThreads &threads, const std::vector<CloseRodPairs::Entry> &close, size_t rods);
+  // Whether what is read of them is worth asking for early.
+  bool are_rods_far() const { return are_rods_far_; }
   // Then once for each piece, by any threads. `contact_flags`: of LIGGGHTS's history list, null without one.
   void find(int piece, const std::vector<spherocylinder::Capsule> &rods, int **contact_flags);
 
@@ -96,6 +98,7 @@ class TouchingRodPairs {
   std::vector<Searcher> searchers_;
   const std::vector<CloseRodPairs::Entry> *close_ = nullptr;
   std::vector<Piece> pieces_;
+  bool are_rods_far_ = false;
   std::vector<int>
       of_close_;  // and of each the numbers of its touch, a batch longer than the close pairs
   std::vector<double> s_, t_, delta_x_, delta_y_, delta_z_, distance_squared_, nearly_parallel_;
