@@ -205,7 +205,9 @@ void TriangleSurface::find_edges(const Sides &sides, double smooth_turn)
   std::vector<std::vector<int>> all_around(node_at_.size());
   edges_at_.resize(node_at_.size());
   flat_edges_.assign(shapes_.size(), {false, false, false});
-  for (const auto &[pair, beside] : sides) {
+  for (const auto &side_of_pair : sides) {
+    const std::pair<int, int> &pair = side_of_pair.first;
+    const std::vector<TrianglePart> &beside = side_of_pair.second;
     all_around[pair.first].push_back(pair.second);
     all_around[pair.second].push_back(pair.first);
     SurfaceEdge edge{{pair.first, pair.second}, beside, pi, false, {{1.0, beside}}};
