@@ -23,6 +23,9 @@ void BetweenFinder::find()
   for (const int corner : near_.corners) add_between_at_corner(corner);
   if (contacts_.size() == ends) return;
   drop_twins(ends);
+  bears_.clear();
+  for (size_t k = ends; k < contacts_.size(); k++)
+    bears_.push_back(is_smooth(contacts_[k]) ? standing_out(contacts_[k], ends) : 1.0);
   fade_ends(ends);
   share_between(ends);
 }
@@ -110,7 +113,8 @@ void BetweenFinder::fade_ends(size_t ends)
       // Wholly within half a radius along the axis, not from a radius on.
       const double apart = std::fabs(contacts_[k].along - end.along) / rod_.radius;
       const double beside = std::clamp(2.0 - 2.0 * apart, 0.0, 1.0);
-      end.weight *= 1.0 - beside * (1.0 - kept) * (1.0 - way_from(contacts_[k], end));
+      end.weight *=
+          1.0 - bears_[k - ends] * beside * (1.0 - kept) * (1.0 - way_from(contacts_[k], end));
     }
   }
 }
@@ -128,11 +132,65 @@ double BetweenFinder::way_from(const SurfaceContact &between, const SurfaceConta
   return 1.0;
 }
 
+bool BetweenFinder::is_smooth(const SurfaceContact &contact) const
+{
+  bool all = true;
+  for_each_edge_of(contact, [&](const SurfaceEdge &edge) { all &= edge.is_smooth; });
+  return all;
+}
+
+// Of a contact at an edge, that; at a corner those that meet there.
+template <typename See>
+void BetweenFinder::for_each_edge_of(const SurfaceContact &contact, See see) const
+{
+  if (contact.feature == OnSurface::kEdge)
+    see(surface_.edges()[contact.index]);
+  else
+    for (const int edge : surface_.edges_at(contact.index)) see(surface_.edges()[edge]);
+}
+
+bool BetweenFinder::have_a_common_facet(const SurfaceContact &a, const SurfaceContact &b) const
+{
+  bool any = false;
+  for_each_edge_of(a, [&](const SurfaceEdge &one) {
+    for (const TrianglePart &side : one.beside)
+      for_each_edge_of(b, [&](const SurfaceEdge &other) {
+        for (const TrianglePart &of_other : other.beside)
+          any |= surface_.facet(side.triangle) == surface_.facet(of_other.triangle);
+      });
+  });
+  return any;
+}
+
+// Along the contact's normal, by the end's own contact with the patch; 0 of one that has none (m).
+double BetweenFinder::overlap_at_end(const SurfaceContact &contact, OnRod end, size_t ends) const
+{
+  double deepest = 0.0;
+  for (size_t k = 0; k < ends; k++) {
+    const SurfaceContact &own = contacts_[k];
+    if (own.place != end || !(own.weight > 0.0) ||
+        surface_.patch(own.triangle) != surface_.patch(contact.triangle))
+      continue;
+    deepest = std::max(deepest, (rod_.radius - own.distance) * nearness_of_normals(own, contact));
+  }
+  return deepest;
+}
+
+double BetweenFinder::standing_out(const SurfaceContact &contact, size_t ends) const
+{
+  const double overlap = rod_.radius - contact.distance;
+  if (!(overlap > 0.0)) return 1.0;
+  const double part = 0.5 + 0.5 * contact.along / axis_.half_length;
+  const double between_ends = (1.0 - part) * overlap_at_end(contact, OnRod::kEndMinus, ends) +
+                              part * overlap_at_end(contact, OnRod::kEndPlus, ends);
+  return std::clamp((overlap - between_ends) / overlap, 0.0, 1.0);
+}
+
 double BetweenFinder::nearness(const SurfaceContact &a, const SurfaceContact &b) const
 {
   const double apart = std::fabs(a.along - b.along);
   if (apart >= rod_.radius) return 0.0;
-  return (1.0 - apart / rod_.radius) * std::max(0.0, dot(a.normal, b.normal));
+  return (1.0 - apart / rod_.radius) * nearness_of_normals(a, b);
 }
 
 void BetweenFinder::share_between(size_t ends)
@@ -143,15 +201,20 @@ void BetweenFinder::share_between(size_t ends)
     const SurfaceContact &contact = contacts_[k];
     if (!(contact.weight > 0.0)) continue;
     double all = contact.weight, left = 1.0;
-    for (size_t other = ends; other < count; other++) {
-      if (other == k) continue;
-      const double near = contacts_[other].weight * nearness(contact, contacts_[other]);
-      if (is_nearest(other) == is_nearest(k))
+    for (size_t n = ends; n < count; n++) {
+      const SurfaceContact &other = contacts_[n];
+      if (n == k || !(other.weight > 0.0)) continue;
+      const bool are_of_one_patch =
+          is_smooth(contact) && is_smooth(other) && have_a_common_facet(contact, other);
+      const double near = other.weight * (are_of_one_patch ? nearness_of_normals(contact, other)
+                                                           : nearness(contact, other));
+      if (are_of_one_patch || is_nearest(n) == is_nearest(k))
         all += near;
-      else if (is_nearest(other))
+      else if (is_nearest(n))
         left = std::min(left, 1.0 - near);
     }
-    shares[k] = left * contact.weight / std::max(1.0, all) * left_by_ends(contact, ends);
+    shares[k] = left * contact.weight / std::max(1.0, all) *
+                (is_smooth(contact) ? bears_[k - ends] : left_by_ends(contact, ends));
   }
   for (size_t k = ends; k < count; k++) contacts_[k].weight = shares[k];
 }

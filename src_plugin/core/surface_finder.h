@@ -196,8 +196,21 @@ class BetweenFinder : SurfaceFinder {
   void fade_ends(size_t ends);
   // Of an end's foot from the edge, over the radius: 0 at it, 1 from a radius on or anywhere else.
   double way_from(const SurfaceContact &between, const SurfaceContact &end) const;
+  // Where facets meet smoothly the surface is one, and its edges bear nothing by themselves.
+  bool is_smooth(const SurfaceContact &contact) const;
+  template <typename See>
+  void for_each_edge_of(const SurfaceContact &contact, See see) const;
+  bool have_a_common_facet(const SurfaceContact &a, const SurfaceContact &b) const;
+  // At such an edge, of its load, 0 to 1: by how much the surface there stands out over the straight line
+  // between what the two ends are in it, over the overlap. On a flat floor nothing.
+  double standing_out(const SurfaceContact &contact, size_t ends) const;
+  double overlap_at_end(const SurfaceContact &contact, OnRod end, size_t ends) const;
   // How far two contacts are one, 0 to 1: by their distance along the axis, and by their normals.
   double nearness(const SurfaceContact &a, const SurfaceContact &b) const;
+  double nearness_of_normals(const SurfaceContact &a, const SurfaceContact &b) const
+  {
+    return std::max(0.0, dot(a.normal, b.normal));
+  }
   // Of contacts of one kind, nearest or over a rim, each has its part; those over rims have what the nearest
   // leave.
   void share_between(size_t ends);
@@ -206,6 +219,7 @@ class BetweenFinder : SurfaceFinder {
   // Of the load of a contact between the ends: what those of the ends do not bear already.
   double left_by_ends(const SurfaceContact &contact, size_t ends) const;
   bool are_at_one_edge(const SurfaceContact &a, const SurfaceContact &b) const;
+  std::vector<double> bears_;        // of the contacts between: see standing_out, 1 if sharp
   std::vector<int> nearest_within_;  // edges that the axis is nearest to between both's ends
 };
 
