@@ -144,7 +144,8 @@ void EndFinder::share_valley(size_t first)
   bool any = false;
   for (size_t a = 0; a < count; a++)
     for (size_t b = 0; b < count; b++)
-      if (a != b && make_a_valley(first + a, first + b)) {
+      if (a != b &&
+          (make_a_valley(first + a, first + b) || are_of_one_bowl(first + a, first + b))) {
         together[a * count + b] = std::numeric_limits<double>::infinity();
         any = true;
       }
@@ -192,6 +193,14 @@ double EndFinder::from_valley(size_t a, size_t b) const
 bool EndFinder::is_face(size_t k) const
 {
   return contacts_[k].feature == OnSurface::kFace && contacts_[k].weight > 0.0;
+}
+
+bool EndFinder::are_of_one_bowl(size_t a, size_t b) const
+{
+  constexpr double kLeastCosine = 0.96;
+  return is_face(a) && is_face(b) &&
+         surface_.patch(contacts_[a].triangle) == surface_.patch(contacts_[b].triangle) &&
+         dot(contacts_[a].normal, contacts_[b].normal) > kLeastCosine;
 }
 
 bool EndFinder::make_a_valley(size_t a, size_t b) const

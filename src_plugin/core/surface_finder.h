@@ -175,6 +175,8 @@ class EndFinder : SurfaceFinder {
   double from_valley(size_t a, size_t b) const;
   bool is_face(size_t k) const;
   bool make_a_valley(size_t a, size_t b) const;
+  // Faces of one patch that hardly turn from one to the other, though what lies between them touches nothing.
+  bool are_of_one_bowl(size_t a, size_t b) const;
 };
 
 // Those between the ends; the ends' contacts are there.
