@@ -91,6 +91,7 @@ void GranularPairSpherocylinder::init_granular()
   close_pairs_.reset(*parent_, laws_.keywords().close_skin);
   auto &lists = rods.attached<ListsInUse>();
   lists.counts = &close_pairs_.counts();
+  lists.close_pairs = &close_pairs_;
   lists.touching_pairs = &touching_pairs_;
   rods.attached<ContactState>().sudden_overlaps = &sudden_overlaps_;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "atom.h"
 #include "comm.h"
@@ -51,6 +52,32 @@ bool CloseRodPairs::have_rods_migrated()
   const bool migrated = neighbor->ago == 0 && neighbor->ncalls != seen_builds_;
   seen_builds_ = neighbor->ncalls;
   return migrated;
+}
+
+// A rod has other places than that of the list after insertions and deletions in this step.
+std::vector<int> CloseRodPairs::pairs_of_rods() const
+{
+  const std::vector<int> &ids = list_.ids();
+  std::vector<int> by_place(ids.size(), 0);
+  for (const Entry &entry : entries_) {
+    by_place[entry.i]++;
+    by_place[entry.j]++;
+  }
+  std::unordered_map<int, int> by_id;
+  std::vector<int> counts(atom->nlocal, 0);
+  const int listed = static_cast<int>(first_entry_.size()) - 1;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int id = atom->tag[i];
+    if (i < listed && ids[i] == id) {
+      counts[i] = by_place[i];
+      continue;
+    }
+    if (by_id.empty())
+      for (int k = 0; k < listed; k++) by_id[ids[k]] = by_place[k];
+    const auto found = by_id.find(id);
+    if (found != by_id.end()) counts[i] = found->second;
+  }
+  return counts;
 }
 
 void CloseRodPairs::check_rods_are_the_same() const

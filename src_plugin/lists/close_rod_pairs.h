@@ -84,6 +84,12 @@ class CloseRodPairs : protected Pointers {
   // rank alone knows it of its own rods, whose images they are, while the box keeps its size.
   const std::vector<int> &tracked_ghosts() const { return list_.ghosts(); }
 
+  // Of each rod of this rank as they are now, by their ids: how many of the close pairs it is in.
+  std::vector<int> pairs_of_rods() const;
+
+  // Whether the rods and ghosts at hand are those of the lists, in the same places.
+  bool are_of_present_rods() const { return list_.is_of_present_rods(); }
+
   RodPairCounts &counts() { return counts_; }
 
  private:

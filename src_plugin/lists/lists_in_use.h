@@ -3,6 +3,7 @@
 
 namespace LAMMPS_NS {
 
+class CloseRodPairs;
 class LAMMPS;
 struct RodPairCounts;
 class TouchingRodPairs;
@@ -12,6 +13,7 @@ struct ListsInUse {
   explicit ListsInUse(LAMMPS *) {}
 
   const RodPairCounts *counts = nullptr;
+  const CloseRodPairs *close_pairs = nullptr;
   const TouchingRodPairs *touching_pairs = nullptr;  // when the forces were last computed
 };
 

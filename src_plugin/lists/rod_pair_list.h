@@ -50,6 +50,9 @@ class RodPairList : protected Pointers {
   // Whether the rods and ghosts at hand are those that the list is of, in the same places.
   bool is_of_present_rods() const;
 
+  // The ids of its rods and then of ghosts, by their places when LIGGGHTS last put them in order.
+  const std::vector<int> &ids() const { return ids_; }
+
   // Ghosts that are in the list or have been since all of it was made, ascending.
   const std::vector<int> &ghosts() const { return ghosts_; }
   // The search for the list that is there.

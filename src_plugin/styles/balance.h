@@ -12,11 +12,16 @@ CommandStyle(balance, Balance)
 
 namespace LAMMPS_NS {
 
+class ClosePairCounts;
+
 // Moves the cuts between the ranks' subdomains once, between two runs, and hands the rods over.
 class Balance : protected Pointers {
  public:
   explicit Balance(LAMMPS *lmp) : Pointers(lmp) {}
   void command(int narg, char **arg);
+
+ private:
+  void begin(ClosePairCounts &counts);
 };
 
 }  // namespace LAMMPS_NS

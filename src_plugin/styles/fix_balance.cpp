@@ -33,38 +33,65 @@ FixBalance::FixBalance(LAMMPS *lmp, int narg, char **arg)
   size_vector = 3;
   global_freq = 1;
   extscalar = extvector = 0;
+  if (cuts_.weighs_pairs()) counts_.emplace(lmp, id);
 }
 
-int FixBalance::setmask() { return PRE_EXCHANGE; }
+void FixBalance::post_create()
+{
+  if (counts_) counts_->begin();
+}
+
+void FixBalance::pre_delete(bool unfixed)
+{
+  if (counts_ && unfixed) counts_->end();
+}
+
+int FixBalance::setmask() { return PRE_EXCHANGE | POST_RUN; }
 
 void FixBalance::init() { cuts_.init(); }
 
-void FixBalance::setup_pre_exchange() { balance(); }
+// What comes between runs may move rods.
+void FixBalance::post_run()
+{
+  if (counts_) counts_->count();
+}
+
+// By what the run before knew of the rods; before the first run they have no close pairs.
+void FixBalance::setup_pre_exchange()
+{
+  if (counts_) counts_->count_if_rods_stay();
+  balance();
+}
 
 void FixBalance::pre_exchange()
 {
-  if (nevery == 0 || update->ntimestep >= next_reneighbor) balance();
+  if (nevery != 0 && update->ntimestep < next_reneighbor) return;
+  if (counts_) counts_->count();
+  balance();
 }
 
 // The integrator goes on with Domain::reset_box, Comm::setup and Comm::exchange (box_change_domain).
 void FixBalance::balance()
 {
   if (nevery > 0) next_reneighbor = (update->ntimestep / nevery + 1) * nevery;
-  imbalance_before_ = cuts_.imbalance();
-  if (imbalance_before_ > cuts_.threshold() && cuts_.shift()) shifts_ += 1.0;
+  const std::vector<int> pairs = counts_ ? counts_->counted() : std::vector<int>();
+  imbalance_before_ = cuts_.imbalance(pairs);
+  if (imbalance_before_ > cuts_.threshold() && cuts_.shift(pairs)) shifts_ += 1.0;
+}
+
+std::vector<int> FixBalance::pairs_now() const
+{
+  return counts_ ? counts_->now() : std::vector<int>();
 }
 
 // The imbalance now.
-double FixBalance::compute_scalar() { return cuts_.imbalance(); }
+double FixBalance::compute_scalar() { return cuts_.imbalance(pairs_now()); }
 
-// 1: rods of the rank that has most, now; 2: how often the cuts have moved; 3: the imbalance when
-// they were last looked at, before they moved
+// 1: what the rank costs that has most to do, in rods, now; 2: how often the cuts have moved; 3: the
+// imbalance when they were last looked at, before they moved
 double FixBalance::compute_vector(int n)
 {
   if (n == 1) return shifts_;
   if (n == 2) return imbalance_before_;
-  const double mine = atom->nlocal;
-  double most = 0.0;
-  MPI_Allreduce(&mine, &most, 1, MPI_DOUBLE, MPI_MAX, world);
-  return most;
+  return cuts_.largest_cost(pairs_now());
 }
