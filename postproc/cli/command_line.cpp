@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 
 #include <fmt/format.h>
 
+#include "core/parallel.h"
 #include "io/input_error.h"
 #include "io/text.h"
 
@@ -23,6 +25,15 @@ CLI::Validator number_that(Accepts accepts, const std::string &wanted)
     return fmt::format("must be {} (got {})", wanted, shown(word));
   };
   return CLI::Validator(check, "");
+}
+
+// A number of threads that cannot be meant is not taken for another.
+void check_threads()
+{
+  const char *wanted = std::getenv("OMP_NUM_THREADS");
+  if (wanted && *wanted && !threads_in(wanted))
+    throw InputError(fmt::format("OMP_NUM_THREADS must be a whole number from 1 to {} (got {})",
+                                 kMostThreads, shown(wanted)));
 }
 
 int fail(const CLI::App &app, std::string sentence)
@@ -61,6 +72,7 @@ int run_tool(CLI::App &app, int argc, char **argv, const std::function<void()> &
 {
   try {
     app.parse(argc, argv);
+    check_threads();
     work();
     if (std::fflush(stdout) != 0) throw InputError("standard output: could not be written");
   } catch (const CLI::CallForHelp &) {

@@ -11,7 +11,7 @@
 namespace spherocylinder {
 namespace {
 
-constexpr std::size_t kPairsAPiece = 1024;
+constexpr std::size_t kPairsAPiece = 128;
 
 // A pair's volume is asked for to this part: overlaps are some percent of the solid, so that the
 // solid's error is a hundred times smaller.

@@ -57,7 +57,7 @@ MeanWithError sin_gamma_of_pairs(const std::vector<Vec3> &axes, std::size_t most
   std::vector<Vec3> picked(n);
   for (std::size_t i = 0; i < n; i++) picked[i] = axes[i * axes.size() / n];
   std::vector<double> mean_of_axis(n, 0.0), squares(n, 0.0);
-  for_each_piece(n, 256, [&](std::size_t first, std::size_t last) {
+  for_each_piece(n, 32, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; i++)
       for (const Vec3 &u : picked) {
         const double sine_squared = norm_squared(cross(picked[i], u));

@@ -67,7 +67,7 @@ BoundedVolume solid_of_rods(double inside, const std::vector<Capsule> &cut, doub
       whole > 0.0 ? std::clamp(tolerance * inside / whole, tolerance, std::max(tolerance, kLoosest))
                   : tolerance;
 
-  constexpr std::size_t kRodsAPiece = 64;
+  constexpr std::size_t kRodsAPiece = 16;
   std::vector<BoundedVolume> parts((cut.size() + kRodsAPiece - 1) / kRodsAPiece);
   for_each_piece(cut.size(), kRodsAPiece, [&](std::size_t begin, std::size_t end) {
     BoundedVolume sum{0.0, 0.0};

@@ -20,17 +20,18 @@ namespace spherocylinder {
 namespace {
 
 constexpr double kGoldenAngle = 2.39996322972865332;
-constexpr std::size_t kRodsAPiece = 2048;
+constexpr std::size_t kPieces = 64, kFewestRodsAPiece = 16, kMostRodsAPiece = 2048;
 constexpr double kMostBins = 100000.0;
 
 // Sum over rods of a list of numbers, piece by piece, so that it does not depend on the threads.
 template <class Add>
 std::vector<double> sum_over_rods(std::size_t rods, std::size_t numbers, Add add)
 {
-  const std::size_t pieces = (rods + kRodsAPiece - 1) / kRodsAPiece;
+  const std::size_t grain = std::clamp(rods / kPieces, kFewestRodsAPiece, kMostRodsAPiece);
+  const std::size_t pieces = (rods + grain - 1) / grain;
   std::vector<std::vector<double>> parts(pieces);
-  for_each_piece(rods, kRodsAPiece, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> &sums = parts[begin / kRodsAPiece];
+  for_each_piece(rods, grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> &sums = parts[begin / grain];
     sums.assign(numbers, 0.0);
     for (std::size_t i = begin; i < end; i++) add(i, sums);
   });

@@ -10,6 +10,7 @@
 #include <X11/Xlib.h>
 #include <unistd.h>
 
+#include "core/parallel.h"
 #include "io/input_error.h"
 
 namespace spherocylinder {
@@ -37,6 +38,8 @@ bool is_on_path(const std::string &program)
 
 void need_display(char **argv)
 {
+  // Without a graphics card Mesa draws, by threads of its own: no more of them than ours.
+  setenv("LP_NUM_THREADS", std::to_string(thread_count()).c_str(), 0);
   if (display_answers()) return;
   for (const char *program : {"xvfb-run", "Xvfb", "xauth"})
     if (!is_on_path(program))

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include <strings.h>
 #include <unistd.h>
 
 #include "comm.h"
+#include "core/parallel.h"
 #include "error.h"
 #include "host/rod_error.h"
 
@@ -22,17 +24,15 @@ RodThreads::RodThreads(LAMMPS *lmp) : Pointers(lmp)
   wanted_ = of_environment_;
 }
 
-// The variable may be a list, of which the first is meant for the outermost level.
 int RodThreads::from_environment() const
 {
   const char *wanted = getenv("OMP_NUM_THREADS");
   if (!wanted || !*wanted) return 1;
-  char *end = nullptr;
-  const long count = strtol(wanted, &end, 10);
-  if (end == wanted || (*end != '\0' && *end != ',') || count < 1 || count > kMost)
+  const std::optional<int> count = spherocylinder::threads_in(wanted);
+  if (!count)
     rod_error_one(lmp, "OMP_NUM_THREADS must be a whole number from 1 to %d (got %s)", kMost,
                   wanted);
-  return static_cast<int>(count);
+  return *count;
 }
 
 // Threads that wait in a loop for one that cannot run make a step take forty times as long.

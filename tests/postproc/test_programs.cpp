@@ -243,6 +243,45 @@ TEST_F(Programs, PackingOfOneRod)
   EXPECT_TRUE(std::isnan(row["mean_sin_gamma"]));  // takes two rods
 }
 
+// One, two, three and more threads than there are processors: what is printed and written has the same bits.
+TEST_F(Programs, ThreadsChangeNothing)
+{
+  BedOptions options;
+  options.rods = 300;
+  options.length = 0.3;
+  options.vessel_radius = 0.305;
+  const auto rods = random_bed(options);
+  write("many.dump", dump_text({rods.begin(), rods.begin() + 100}, 0) + dump_text(rods, 500));
+  std::vector<std::string> commands = {
+      "rod_packing many.dump --vessel-radius 0.305 --frame all --csv out.csv --profiles out",
+      "rod_packing many.dump --vessel vessel.stl --region -0.1 0.1 -0.1 0.1 0 0.2 --csv out.csv",
+      "rod_orientation many.dump --vessel-radius 0.305 --csv out.csv --summary-csv out_sum.csv "
+      "--wall-csv out_wall.csv",
+      "rod_contacts many.dump --vessel-radius 0.305 --csv out.csv --tables out --contacts-csv "
+      "out_contacts.csv"};
+  if (can_render())
+    commands.push_back("rod_render many.dump --vessel-radius 0.305 --size 400x300 --out out.png");
+  for (const std::string &command : commands) {
+    std::map<std::string, std::string> one;
+    for (const int threads : {1, 2, 3, 8}) {
+      ASSERT_EQ(run(fmt::format("env OMP_NUM_THREADS={} {}", threads, command)), 0) << error_;
+      std::map<std::string, std::string> now = files();
+      now["printed"] = out_;
+      if (threads == 1) one = now;
+      EXPECT_TRUE(now == one) << threads << " threads: " << command;
+    }
+  }
+}
+
+TEST_F(Programs, ThreadsThatCannotBeMeant)
+{
+  for (const std::string wrong : {"0", "-1", "two", "1.5", "1025"}) {
+    EXPECT_EQ(run("env OMP_NUM_THREADS=" + wrong + " rod_packing bed.dump --floor 0"), 2);
+    EXPECT_EQ(error_, "rod_packing: OMP_NUM_THREADS must be a whole number from 1 to 1024 (got '" +
+                          wrong + "')\n");
+  }
+}
+
 TEST_F(Programs, PackingOfAllFramesLeavesOutTheEmptyOne)
 {
   ASSERT_EQ(run("rod_packing pour.dump --vessel-radius 0.305 --frame all --csv all.csv"), 0);

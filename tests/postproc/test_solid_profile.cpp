@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -120,6 +128,32 @@ TEST(SolidProfile, EvenFillIsFlat)
   for (const ProfileBin &bin :
        wall_profile(rods, {0, 0, 1.7, 0, 2}, bin_edges(0.0, 1.7, 0.425), 1e-4))
     EXPECT_NEAR(bin.fraction(), even, 0.03 * even) << bin.low;  // a grid's rods in a ring
+}
+
+// OMP_NUM_THREADS may hold a list; what cannot be meant is as if it were not there, and refused by the tools.
+TEST(Parallel, AsManyThreadsAsAskedFor)
+{
+  const char *before = std::getenv("OMP_NUM_THREADS");
+  const std::string kept = before ? before : "";
+  for (const auto &[text, threads] : std::map<std::string, std::size_t>{{"1", 1}, {"3,2", 3}}) {
+    setenv("OMP_NUM_THREADS", text.c_str(), 1);
+    EXPECT_EQ(thread_count(), threads);
+    std::mutex mutex;
+    std::set<std::thread::id> seen;
+    for_each_piece(100, 1, [&](std::size_t, std::size_t) {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      const std::lock_guard lock(mutex);
+      seen.insert(std::this_thread::get_id());
+    });
+    EXPECT_LE(seen.size(), threads);
+    EXPECT_GE(seen.size(), std::min<std::size_t>(threads, 2));
+  }
+  for (const char *wrong : {"0", "-2", "two", "2.5", "", "1025", "3;2"})
+    EXPECT_FALSE(threads_in(wrong)) << wrong;
+  setenv("OMP_NUM_THREADS", "two", 1);
+  EXPECT_EQ(thread_count(), std::max(std::thread::hardware_concurrency(), 1u));
+  unsetenv("OMP_NUM_THREADS");
+  if (before) setenv("OMP_NUM_THREADS", kept.c_str(), 1);
 }
 
 // An earlier piece's exception wins, whatever thread it was in.

@@ -24,8 +24,12 @@ def copy(tmp_path, programs):
     (tmp_path / "scripts/setup").write_text("#!/bin/sh\n")
     (tmp_path / "scripts/build").write_text("#!/bin/sh\necho \"$*\" >built\n")
     (tmp_path / "build/release").mkdir(parents=True)
-    for name in ("libspherocylinder.so", "rod_packing", "rod_orientation", "rod_render"):
-        (tmp_path / "build/release" / name).symlink_to(programs / name)
+    (tmp_path / "build/release/libspherocylinder.so").symlink_to(programs / "libspherocylinder.so")
+    for name in ("rod_packing", "rod_orientation", "rod_render"):
+        tool = tmp_path / "build/release" / name
+        tool.write_text(f'#!/bin/sh\necho "$OMP_NUM_THREADS" >>{tmp_path}/threads\n'
+                        f'exec {programs / name} "$@"\n')
+        tool.chmod(0o755)
     lmp(tmp_path, f'echo "$*" >>{tmp_path}/calls\nexec {programs}/lmp "$@" {FEW_RODS}\n')
     return tmp_path
 
@@ -47,6 +51,9 @@ def test_makes_a_table_and_pictures_once(copy):
     assert (copy / "built").read_text() == \
         "release lmp spherocylinder rod_packing rod_orientation rod_render\n"
     assert len((copy / "calls").read_text().splitlines()) == 4
+    # Cases at once share the processors, with all of their programs.
+    threads = os.environ.get("OMP_NUM_THREADS") or str(pour_all.threads_of_each(2, 2))
+    assert (copy / "threads").read_text().split() == 6 * [threads]
     table = rows.read_rows(copy / "beds/summary.csv")
     assert list(table["limits"]) == ["study", "none"] and list(table["lambda"]) == [10, 10]
     folder = copy / "beds/lambda10_limits_none_seed86028121"
