@@ -122,7 +122,7 @@ std::string header(const Draft &draft, const std::string &source)
           "compute contacts all contact/spherocylinder\n";
   text += draft.fix_text;
   if (draft.setting == Setting::Balanced)
-    text += "fix spread_rods all balance 20 1.01 shift xyz 10 1.01\n";
+    text += "fix spread_rods all balance 20 1.01 shift xyz 10 1.01 weight neigh 0.45\n";
   text += draft.compute_text;
   text += fmt::format("thermo_style custom step atoms{}\nthermo_modify norm no lost {} format "
                       "float %.17g\nthermo {}\ntimestep {}\n",
