@@ -3,6 +3,7 @@
 // in boxes and tubes. Radius 1 if nothing else is said.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -468,6 +469,110 @@ TEST(ContactsInATube, ForceConvergesToThatOfTheCylinder)
       const double nearer = 0.5 * kPi * kPi / facets / facets;
       EXPECT_LE(worst.direction, 1.01 * kPi / facets) << radius << ", " << facets;
       EXPECT_LE(worst.force, nearer + (0.01 + nearer) * kPi / facets) << radius << ", " << facets;
+    }
+}
+
+// ---- rods over smooth surfaces ------------------------------------------------------------------
+
+namespace {
+
+Vec3 sum_of_overlaps(const Contacts &contacts, const Capsule &rod)
+{
+  Vec3 sum = {0.0, 0.0, 0.0};
+  for (const SurfaceContact &c : contacts)
+    sum = sum + (c.weight * (rod.radius - c.distance)) * c.normal;
+  return sum;
+}
+
+// Over the overlap with the true cylinder, of rods of radius 0.15 and half length 3 across a cylinder of
+// radius 1: at random angles round it, over seams and over middles of facets, up to 0.5 rad askew.
+struct Range {
+  double least = 1e300, most = 0.0;
+};
+
+Range loads_across_roller(int facets)
+{
+  RandomRods random(15485863);
+  const double overlap = 0.01, radius = 0.15, phase = 0.1;
+  const TriangleSurface surface(tube_mesh(facets, 1.0, phase), 2.1 * kPi / facets);
+  Range range;
+  for (int k = 0; k < 300; k++) {
+    double angle = random.uniform(-kPi, kPi);
+    if (k % 3) angle = phase + (k % 3 == 1 ? 2.0 : 1.0) * kPi * random.below(facets) / facets;
+    const double askew = random.uniform(-0.5, 0.5);
+    const Vec3 out = {std::cos(angle), std::sin(angle), 0.0};
+    const Vec3 axis = std::cos(askew) * Vec3{-out.y, out.x, 0.0} + std::sin(askew) * kUp;
+    const Vec3 centre = (1.0 + radius - overlap) * out + random.uniform(-0.2, 0.2) * axis;
+    const Capsule rod = {{centre, axis, 3.0}, radius};
+    const double load = norm(sum_of_overlaps(contacts_of(rod, surface), rod)) / overlap;
+    range.least = std::min(range.least, load);
+    range.most = std::max(range.most, load);
+  }
+  return range;
+}
+
+}  // namespace
+
+// Convergence to the true cylinder, second order: facets inscribed in it lie lower by up to 1 - cos(pi/n), and
+// edges that share a load bear no more than one.
+TEST(ContactsAcrossARoller, LoadConvergesToThatOfTheCylinder)
+{
+  for (const int facets : {48, 96, 192, 384, 768}) {
+    const Range loads = loads_across_roller(facets);
+    const double lower = (1.0 - std::cos(kPi / facets)) / 0.01;
+    EXPECT_LE(loads.most, 1.0 + 1e-9) << facets;
+    EXPECT_GE(loads.least, 1.0 - 1.5 * lower) << facets;
+  }
+}
+
+namespace {
+
+// Pairs of triangles in squares, from -10 to 10.
+Mesh floor_of_squares(int squares)
+{
+  Mesh mesh;
+  const double size = 20.0 / squares;
+  for (int i = 0; i < squares; i++)
+    for (int j = 0; j < squares; j++) {
+      const double x = -10.0 + i * size, y = -10.0 + j * size;
+      const Vec3 a = {x, y, 0.0}, b = {x + size, y, 0.0}, c = {x + size, y + size, 0.0},
+                 d = {x, y + size, 0.0};
+      mesh.push_back({a, b, c});
+      mesh.push_back({a, c, d});
+    }
+  return mesh;
+}
+
+}  // namespace
+
+// A flat floor whose nodes a file has rounded: gentle ridges and valleys all over it, within one smooth patch.
+// Closed form: of the flat floor, two ends; what stands out of it adds its part of the overlap.
+TEST(ContactsOnARoughFloor, AreTwoEndsHoweverFineItsTiles)
+{
+  for (const int tiles : {10, 20, 40})
+    for (const double noise : {1e-6, 1e-5, 1e-4}) {
+      RandomRods random(15487469);
+      Mesh mesh = floor_of_squares(tiles);
+      std::map<std::pair<long, long>, double> heights;  // by place, in thousandths
+      for (Corners &corners : mesh)
+        for (Vec3 &corner : corners) {
+          const auto [found, is_new] =
+              heights.try_emplace({std::lround(1e3 * corner.x), std::lround(1e3 * corner.y)}, 0.0);
+          if (is_new) found->second = random.uniform(-noise, noise);
+          corner.z = found->second;
+        }
+      const TriangleSurface surface(mesh, 0.26 * kPi / 180.0);
+      for (int k = 0; k < 100; k++) {
+        const double angle = random.uniform(-kPi, kPi);
+        const Capsule rod = {{{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.95},
+                              {std::cos(angle), std::sin(angle), 0.0},
+                              6.0},
+                             1.0};
+        const Contacts contacts = contacts_of(rod, surface);
+        // Of some seams under the rod each adds no more than its height.
+        EXPECT_NEAR(sum_of_overlaps(contacts, rod).z, 2.0 * 0.05, 1.5 * tiles * noise)
+            << tiles << ", " << noise << text_of(rod) << text_of(contacts);
+      }
     }
 }
 
