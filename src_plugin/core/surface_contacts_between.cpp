@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/closest_points.h"
+#include "core/numbers.h"
 #include "core/surface_finder.h"
 
 namespace spherocylinder {
@@ -23,9 +24,10 @@ void BetweenFinder::find()
   for (const int corner : near_.corners) add_between_at_corner(corner);
   if (contacts_.size() == ends) return;
   drop_twins(ends);
+  join_neighbours(ends);
   bears_.clear();
   for (size_t k = ends; k < contacts_.size(); k++)
-    bears_.push_back(is_smooth(contacts_[k]) ? standing_out(contacts_[k], ends) : 1.0);
+    bears_.push_back(is_smooth(contacts_[k]) ? standing_out(k, ends) : 1.0);
   fade_ends(ends);
   share_between(ends);
 }
@@ -149,17 +151,66 @@ void BetweenFinder::for_each_edge_of(const SurfaceContact &contact, See see) con
     for (const int edge : surface_.edges_at(contact.index)) see(surface_.edges()[edge]);
 }
 
-bool BetweenFinder::have_a_common_facet(const SurfaceContact &a, const SurfaceContact &b) const
+void BetweenFinder::join_neighbours(size_t ends)
 {
-  bool any = false;
+  const size_t count = contacts_.size();
+  ends_ = ends;
+  is_nearest_.clear();
+  overlaps_.clear();
+  for (size_t k = ends; k < count; k++) {
+    is_nearest_.push_back(contacts_[k].weight == 1.0);
+    overlaps_.push_back(rod_.radius - contacts_[k].distance);
+  }
+  joined_to_.assign(count - ends, -1);
+  for (size_t k = ends; k < count; k++)
+    for (size_t n = k + 1; n < count; n++)
+      if (contacts_[k].weight > 0.0 && contacts_[n].weight > 0.0 && is_smooth(contacts_[k]) &&
+          is_smooth(contacts_[n])) {
+        const bool k_is_deeper = overlap(k) >= overlap(n);
+        join(k_is_deeper ? k : n, k_is_deeper ? n : k);
+      }
+}
+
+// Of the axis in the facet beside both, across their edges: the sine of its angle with them; 0 if there is none.
+double BetweenFinder::inclination_of_common_facet(const SurfaceContact &a,
+                                                  const SurfaceContact &b) const
+{
+  double found = 0.0;
   for_each_edge_of(a, [&](const SurfaceEdge &one) {
     for (const TrianglePart &side : one.beside)
       for_each_edge_of(b, [&](const SurfaceEdge &other) {
         for (const TrianglePart &of_other : other.beside)
-          any |= surface_.facet(side.triangle) == surface_.facet(of_other.triangle);
+          if (surface_.facet(side.triangle) == surface_.facet(of_other.triangle))
+            found = std::max({found, std::fabs(dot(axis_.axis, inwards_of(side))),
+                              std::fabs(dot(axis_.axis, inwards_of(of_other)))});
       });
   });
-  return any;
+  return found;
+}
+
+void BetweenFinder::join(size_t nearest, size_t rim)
+{
+  SurfaceContact &one = contacts_[nearest], &other = contacts_[rim];
+  const double crossing = inclination_of_common_facet(one, other);
+  if (crossing == 0.0 || !(dot(one.normal, other.normal) > 0.0)) return;
+  double turn = pi;
+  for (const SurfaceContact *contact : {&one, &other})
+    for_each_edge_of(*contact, [&](const SurfaceEdge &edge) { turn = std::min(turn, edge.turn); });
+  const double width = 0.5 * crossing * turn * std::fabs(one.along - other.along);
+  const double difference = overlap(nearest) - overlap(rim);
+  if (!(difference < width)) {
+    other.weight = 0.0;
+    return;
+  }
+  // The deeper one may have a neighbour on either side, the other has this one.
+  const double part = 0.5 - 0.5 * difference / width;
+  const double more = width * part * (1.0 - part) - part * difference;
+  other.weight = part;
+  other.distance = rod_.radius - (overlap(nearest) + more);
+  one.weight = std::max(0.0, one.weight - part);
+  one.distance -= more;
+  joined_to_[nearest - ends_] = static_cast<int>(rim);
+  joined_to_[rim - ends_] = static_cast<int>(nearest);
 }
 
 // Along the contact's normal, by the end's own contact with the patch; 0 of one that has none (m).
@@ -176,14 +227,15 @@ double BetweenFinder::overlap_at_end(const SurfaceContact &contact, OnRod end, s
   return deepest;
 }
 
-double BetweenFinder::standing_out(const SurfaceContact &contact, size_t ends) const
+double BetweenFinder::standing_out(size_t k, size_t ends) const
 {
-  const double overlap = rod_.radius - contact.distance;
-  if (!(overlap > 0.0)) return 1.0;
+  const SurfaceContact &contact = contacts_[k];
+  const double own = overlap(k);
+  if (!(own > 0.0)) return 1.0;
   const double part = 0.5 + 0.5 * contact.along / axis_.half_length;
   const double between_ends = (1.0 - part) * overlap_at_end(contact, OnRod::kEndMinus, ends) +
                               part * overlap_at_end(contact, OnRod::kEndPlus, ends);
-  return std::clamp((overlap - between_ends) / overlap, 0.0, 1.0);
+  return std::clamp((own - between_ends) / own, 0.0, 1.0);
 }
 
 double BetweenFinder::nearness(const SurfaceContact &a, const SurfaceContact &b) const
@@ -200,17 +252,16 @@ void BetweenFinder::share_between(size_t ends)
   for (size_t k = ends; k < count; k++) {
     const SurfaceContact &contact = contacts_[k];
     if (!(contact.weight > 0.0)) continue;
-    double all = contact.weight, left = 1.0;
-    for (size_t n = ends; n < count; n++) {
-      const SurfaceContact &other = contacts_[n];
-      if (n == k || !(other.weight > 0.0)) continue;
-      const bool are_of_one_patch =
-          is_smooth(contact) && is_smooth(other) && have_a_common_facet(contact, other);
-      const double near = other.weight * (are_of_one_patch ? nearness_of_normals(contact, other)
-                                                           : nearness(contact, other));
-      if (are_of_one_patch || is_nearest(n) == is_nearest(k))
+    const int joined_to = joined_to_[k - ends];
+    double all = joined_to < 0 ? contact.weight : 1.0, left = 1.0;
+    for (size_t other = ends; other < count; other++) {
+      if (other == k || static_cast<int>(other) == joined_to ||
+          joined_to_[other - ends] == static_cast<int>(k))
+        continue;
+      const double near = contacts_[other].weight * nearness(contact, contacts_[other]);
+      if (is_nearest(other) == is_nearest(k))
         all += near;
-      else if (is_nearest(n))
+      else if (is_nearest(other))
         left = std::min(left, 1.0 - near);
     }
     shares[k] = left * contact.weight / std::max(1.0, all) *

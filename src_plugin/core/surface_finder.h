@@ -202,10 +202,15 @@ class BetweenFinder : SurfaceFinder {
   bool is_smooth(const SurfaceContact &contact) const;
   template <typename See>
   void for_each_edge_of(const SurfaceContact &contact, See see) const;
-  bool have_a_common_facet(const SurfaceContact &a, const SurfaceContact &b) const;
+  // Two neighbouring edges of a smooth patch share one load: by how much the facet between them leans, from
+  // wholly one to wholly the other over half the turn. Their common overlap is then that of a round
+  // surface through both, and the load the gradient of its energy.
+  void join_neighbours(size_t ends);
+  void join(size_t nearest, size_t rim);
+  double inclination_of_common_facet(const SurfaceContact &a, const SurfaceContact &b) const;
   // At such an edge, of its load, 0 to 1: by how much the surface there stands out over the straight line
   // between what the two ends are in it, over the overlap. On a flat floor nothing.
-  double standing_out(const SurfaceContact &contact, size_t ends) const;
+  double standing_out(size_t k, size_t ends) const;
   double overlap_at_end(const SurfaceContact &contact, OnRod end, size_t ends) const;
   // How far two contacts are one, 0 to 1: by their distance along the axis, and by their normals.
   double nearness(const SurfaceContact &a, const SurfaceContact &b) const;
@@ -216,12 +221,18 @@ class BetweenFinder : SurfaceFinder {
   // Of contacts of one kind, nearest or over a rim, each has its part; those over rims have what the nearest
   // leave.
   void share_between(size_t ends);
-  // Over a rim a contact has less than its whole weight from the start, until share_between().
-  bool is_nearest(size_t k) const { return contacts_[k].weight == 1.0; }
+  // Over a rim a contact has less than its whole weight from the start.
+  bool is_nearest(size_t k) const { return is_nearest_[k - ends_]; }
+  // As found, before neighbours were joined.
+  double overlap(size_t k) const { return overlaps_[k - ends_]; }
   // Of the load of a contact between the ends: what those of the ends do not bear already.
   double left_by_ends(const SurfaceContact &contact, size_t ends) const;
   bool are_at_one_edge(const SurfaceContact &a, const SurfaceContact &b) const;
-  std::vector<double> bears_;        // of the contacts between: see standing_out, 1 if sharp
+  size_t ends_ = 0;  // contacts of the ends; then those between
+  std::vector<char> is_nearest_;
+  std::vector<double> overlaps_;
+  std::vector<double> bears_;        // see standing_out, 1 if sharp
+  std::vector<int> joined_to_;       // the other, -1 if none
   std::vector<int> nearest_within_;  // edges that the axis is nearest to between both's ends
 };
 

@@ -514,13 +514,13 @@ Range loads_across_roller(int facets)
 }  // namespace
 
 // Convergence to the true cylinder, second order: facets inscribed in it lie lower by up to 1 - cos(pi/n), and
-// edges that share a load bear no more than one.
+// edges that share a load bear no more than one, but for the turn of their normals.
 TEST(ContactsAcrossARoller, LoadConvergesToThatOfTheCylinder)
 {
   for (const int facets : {48, 96, 192, 384, 768}) {
     const Range loads = loads_across_roller(facets);
     const double lower = (1.0 - std::cos(kPi / facets)) / 0.01;
-    EXPECT_LE(loads.most, 1.0 + 1e-9) << facets;
+    EXPECT_LE(loads.most, 1.0 + 0.1 * lower) << facets;
     EXPECT_GE(loads.least, 1.0 - 1.5 * lower) << facets;
   }
 }
