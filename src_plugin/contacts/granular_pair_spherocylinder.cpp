@@ -88,6 +88,7 @@ void GranularPairSpherocylinder::init_granular()
   side_ = laws_.models().layout().offset_of("rod_normal_x");
   monitor_ = &rods.attached<ContactMonitor>();
   state_ = &rods.attached<ContactState>();
+  if (laws_.keywords().all_ghosts) rods.ghosts().send_all_for("ghosts all");
   close_pairs_.reset(*parent_, laws_.keywords().close_skin);
   auto &lists = rods.attached<ListsInUse>();
   lists.counts = &close_pairs_.counts();

@@ -33,6 +33,13 @@ static int threads_of(LAMMPS *lmp, const char *value)
   return static_cast<int>(threads);
 }
 
+static bool are_all_ghosts(LAMMPS *lmp, const char *value)
+{
+  if (strcmp(value, "all") != 0 && strcmp(value, "needed") != 0)
+    rod_error_all(lmp, "Surface spherocylinder: ghosts must be needed or all (got %s)", value);
+  return value[0] == 'a';
+}
+
 std::vector<char *> RodKeywords::take_from(LAMMPS *lmp, int nargs, char **args)
 {
   std::vector<char *> others;
@@ -40,7 +47,8 @@ std::vector<char *> RodKeywords::take_from(LAMMPS *lmp, int nargs, char **args)
   for (int k = 0; k < nargs; k++) {
     const bool is_skin = strcmp(args[k], "close_skin") == 0;
     const bool is_threads = strcmp(args[k], "threads") == 0;
-    if (!is_skin && !is_threads && strcmp(args[k], "search") != 0) {
+    const bool is_ghosts = strcmp(args[k], "ghosts") == 0;
+    if (!is_skin && !is_threads && !is_ghosts && strcmp(args[k], "search") != 0) {
       others.push_back(args[k]);
       continue;
     }
@@ -49,6 +57,8 @@ std::vector<char *> RodKeywords::take_from(LAMMPS *lmp, int nargs, char **args)
       close_skin = close_skin_of(lmp, value);
     else if (is_threads)
       threads = threads_of(lmp, value);
+    else if (is_ghosts)
+      all_ghosts = are_all_ghosts(lmp, value);
     else if (strcmp(value, "five_step") == 0 || strcmp(value, "exact") == 0)
       five_step = value[0] == 'f';
     else

@@ -19,6 +19,7 @@ class RodKeywords {
   double close_skin = 0.0;      // of the close pairs (m), 0: chosen automatically
   bool five_step = false;       // search five_step
   int threads = 0;              // of a rank, 0: as many as OMP_NUM_THREADS says
+  bool all_ghosts = false;      // sent in each step
   LinearKeywords linear{};      // of model linear
   bool are_all_of_rods = true;  // none of another model was given
 

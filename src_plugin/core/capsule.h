@@ -25,4 +25,12 @@ struct alignas(kCacheLine) Capsule {
   double aspect_ratio() const { return length() / (2.0 * radius); }       // lambda = L / D
 };
 
+// Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about the
+// axis moves no surface. (a + b)^2 <= 2 a^2 + 2 b^2 saves the roots. Returns twice a^2 + b^2 (m^2).
+inline double twice_shift_squared(const Segment &now, const Segment &then)
+{
+  return 2.0 * (norm_squared(now.centre - then.centre) +
+                now.half_length * now.half_length * norm_squared(now.axis - then.axis));
+}
+
 }  // namespace spherocylinder

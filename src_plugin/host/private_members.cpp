@@ -52,6 +52,19 @@ struct PairAccess : PairGran {
   }
 };
 
+struct CommAccess : Comm {
+  static int swaps(const Comm &comm) { return comm.*(&CommAccess::nswap); }
+  static GhostSwap swap(const Comm &comm, int k)
+  {
+    return {(comm.*(&CommAccess::sendproc))[k],
+            (comm.*(&CommAccess::sendnum))[k],
+            (comm.*(&CommAccess::recvnum))[k],
+            (comm.*(&CommAccess::sendlist))[k],
+            (comm.*(&CommAccess::firstrecv))[k],
+            (comm.*(&CommAccess::pbc_flag))[k] ? (comm.*(&CommAccess::pbc))[k] : nullptr};
+  }
+};
+
 struct Exclusion : Neighbor {
   static bool any(const Neighbor &neighbor) { return neighbor.*(&Exclusion::exclude) != 0; }
   static bool of(const Neighbor &neighbor, int i, int j, const Atom &atom)
@@ -79,6 +92,10 @@ std::map<std::string, CommandCreator> &command_styles(Input &input)
 }
 
 int ghost_group(const Comm &comm) { return comm.*member(GhostGroup()); }
+
+int ghost_swaps(const Comm &comm) { return CommAccess::swaps(comm); }
+
+GhostSwap ghost_swap(const Comm &comm, int number) { return CommAccess::swap(comm, number); }
 
 const char *dump_format(const Dump &dump) { return dump.*member(DumpFormat()); }
 

@@ -32,6 +32,18 @@ std::map<std::string, CommandCreator> &command_styles(Input &input);
 // `communicate group`: 0 is all.
 int ghost_group(const Comm &comm);
 
+// One of the messages by which LIGGGHTS brings ghosts up to date, of `ghost_swaps()` that it sends and
+// receives one after the other, to itself where a rank is its own neighbour.
+struct GhostSwap {
+  int to_rank;
+  int sent, received;  // ghosts
+  const int *list;     // rods and ghosts that are sent
+  int first;           // of the ghosts that are received
+  const int *periods;  // between the owner and the ghost, in x, y and z; null where there are none
+};
+int ghost_swaps(const Comm &comm);
+GhostSwap ghost_swap(const Comm &comm, int number);
+
 // `dump_modify format`, nullptr if there was none, and how many columns the dump has.
 const char *dump_format(const Dump &dump);
 int dump_columns(const Dump &dump);

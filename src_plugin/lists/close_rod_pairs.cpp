@@ -14,6 +14,8 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
+#include "rods/atom_vec_spherocylinder.h"
+#include "rods/ghost_user.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -27,6 +29,9 @@ constexpr double kUsedUp = 0.5;
 // Of rods and ghosts, more than so many are found again with all the others.
 constexpr double kMostFoundAgain = 0.4;
 
+// Ghosts are asked for that are so much farther than where they must be, in radii.
+constexpr double kAskedBeyond = 0.15;
+
 // How often rods are looked for that have become slow and have wide skins, in steps; how many times
 // too wide.
 constexpr int64_t kStepsBetweenLooks = 200;
@@ -36,11 +41,19 @@ constexpr double kTooWide = 2.0;
 constexpr int kFewestRods = 200;
 constexpr int kFewestRows = 30;
 
+bool are_nearer(const Capsule &a, const Capsule &b, double gap)
+{
+  const double reach = a.radius + b.radius + gap;
+  if (lines_are_apart(a.segment, b.segment, reach)) return false;
+  return !(closest_points(a.segment, b.segment).distance_squared >= reach * reach);
+}
+
 }  // namespace
 
 void CloseRodPairs::reset(const PairGran &pair, double skin)
 {
   leave_lists_unbuilt(*neighbor, &pair);  // they are filled here
+  ghosts_ = &rods_of(lmp, "Pair gran with surface spherocylinder").ghosts();
   counts_ = RodPairCounts();
   skins_.reset(skin);
   seen_builds_ = -1;
@@ -88,6 +101,28 @@ void CloseRodPairs::check_rods_are_the_same() const
                   "the list of pairs is that of the rods before (expected run without pre no)");
 }
 
+// How far the owner of a ghost may be from where the ghost is, and may be while the list lasts.
+double CloseRodPairs::stale_by(int i) const
+{
+  return i >= atom->nlocal && ghosts_->is_stale(i) ? ghosts_->slack(i) : 0.0;
+}
+
+double CloseRodPairs::may_be_stale_by(int i) const
+{
+  return i >= atom->nlocal && ghosts_->may_be_stale() ? ghosts_->slack(i) : 0.0;
+}
+
+// What a rod may move from its reference poses: its own half of either skin.
+double CloseRodPairs::listed_half(int i, const Capsule &rod) const
+{
+  return list_reference_[i].radius - rod.radius - may_be_stale_by(i);
+}
+
+double CloseRodPairs::close_half(int i, const Capsule &rod) const
+{
+  return reference_[i].radius - rod.radius - stale_by(i);
+}
+
 // Of the fastest point of its surface, a spin about the axis left out (m/s).
 double CloseRodPairs::speed_of(int i) const
 {
@@ -106,7 +141,7 @@ double CloseRodPairs::mean_root_speed() const
 void CloseRodPairs::move(int i, const Capsule &rod, double half)
 {
   reference_[i] = rod;
-  reference_[i].radius += half;
+  reference_[i].radius += half + stale_by(i);
   if (moved_[i]) return;
   moved_[i] = 1;
   moved_rods_.push_back(i);
@@ -117,7 +152,7 @@ void CloseRodPairs::list_at(int i, const Capsule &rod)
 {
   const double speed = speed_of(i), half = skins_.close_half(speed);
   list_reference_[i] = rod;
-  list_reference_[i].radius += half + skins_.beyond_half(speed);
+  list_reference_[i].radius += half + skins_.beyond_half(speed) + may_be_stale_by(i);
   move(i, rod, half);
 }
 
@@ -131,7 +166,7 @@ double CloseRodPairs::least_half(double speed) const
 bool CloseRodPairs::move_on(int i, const Capsule &rod)
 {
   const double shift = std::sqrt(twice_shift_squared(rod.segment, list_reference_[i].segment));
-  const double left = list_reference_[i].radius - rod.radius - shift;
+  const double left = listed_half(i, rod) - shift;
   const double speed = speed_of(i), least = least_half(speed);
   move(i, rod, std::clamp(left, least, skins_.close_half(speed)));
   return left >= least;
@@ -140,24 +175,34 @@ bool CloseRodPairs::move_on(int i, const Capsule &rod)
 // Of a rod that has become slow: its pairs are tested for nothing.
 bool CloseRodPairs::is_skin_too_wide(int i, const Capsule &rod) const
 {
-  return reference_[i].radius - rod.radius > kTooWide * skins_.close_half(speed_of(i));
+  return close_half(i, rod) > kTooWide * skins_.close_half(speed_of(i));
 }
 
 // False if a ghost may have used up its half of the outer skin. Of ghosts that are in no listed pair
-// only this must be known; that of the others is one loop over LIGGGHTS's arrays. The ghosts of one
-// rank alone are its own rods, which it looks at anyway, as long as the box keeps its size.
+// only this must be known; that of the others is one loop over LIGGGHTS's arrays, or over those that have
+// come. The ghosts of one rank alone are its own rods, which it looks at anyway, as long as the box keeps
+// its size.
 bool CloseRodPairs::ghosts_stay() const
 {
   if (comm->nprocs == 1 && list_box_ == box_size()) return true;
-  const int owned = atom->nlocal;
-  for (int i = owned; i < owned + atom->nghost; i++) {
-    const Segment &then = list_reference_[i].segment;
-    const Segment now = {load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
-                         then.half_length};
-    const double own = list_reference_[i].radius - radii_[i];
-    if (twice_shift_squared(now, then) > own * own) return false;
+  if (ghosts_->are_asked_for()) {
+    for (const int i : ghosts_->arrived())
+      if (!stays(i)) return false;
+    return true;
   }
+  const int owned = atom->nlocal;
+  for (int i = owned; i < owned + atom->nghost; i++)
+    if (!stays(i)) return false;
   return true;
+}
+
+bool CloseRodPairs::stays(int i) const
+{
+  const Segment &then = list_reference_[i].segment;
+  const Segment now = {load(atom->x[i]), axis_of(load_quaternion(atom->quaternion[i])),
+                       then.half_length};
+  const double own = list_reference_[i].radius - radii_[i] - may_be_stale_by(i);
+  return twice_shift_squared(now, then) <= own * own;
 }
 
 std::array<double, 3> CloseRodPairs::box_size() const
@@ -195,7 +240,7 @@ CloseRodPairs::Wanted CloseRodPairs::finish_to_look(const std::vector<Capsule> &
 {
   const bool may_be_slow = counts_.steps % kStepsBetweenLooks == 0;
   const auto is_to_move = [&](int i) {
-    return skin_is_new_ || has_used_up_skin(rods[i], reference_[i]) ||
+    return skin_is_new_ || has_used_up_skin(rods[i], reference_[i], stale_by(i)) ||
            (may_be_slow && is_skin_too_wide(i, rods[i]));
   };
   bool lasts = true;
@@ -209,8 +254,9 @@ CloseRodPairs::Wanted CloseRodPairs::finish_to_look(const std::vector<Capsule> &
   }
   for (const int i : tracked_ghosts())
     if (is_to_move(i)) lasts &= move_on(i, rods[i]);
-  if (!lasts || !ghosts_stay())
-    return skins_.widen(owned, list_.pairs()) ? Wanted::AllPairs : Wanted::SomePairs;
+  lasts = ghosts_stay() && lasts;
+  ghosts_->forget_arrived();
+  if (!lasts) return skins_.widen(owned, list_.pairs()) ? Wanted::AllPairs : Wanted::SomePairs;
   return moved_rods_.empty() ? Wanted::Nothing : Wanted::ClosePairs;
 }
 
@@ -240,7 +286,7 @@ bool CloseRodPairs::choose_moved(const std::vector<Capsule> &rods)
   if (list_box_ != box_size() || (are_images && nall > owned && !atom->map_style)) return false;
   const auto is_used_up = [&](int i) {
     const double least = least_half(speed_of(i));
-    const double used = kUsedUp * std::max(0.0, list_reference_[i].radius - rods[i].radius - least);
+    const double used = kUsedUp * std::max(0.0, listed_half(i, rods[i]) - least);
     return twice_shift_squared(rods[i].segment, list_reference_[i].segment) >= used * used;
   };
   found_again_.clear();
@@ -281,6 +327,36 @@ void CloseRodPairs::see_changed_rows()
     for (const int *i = list_.holders().begin(m); i != list_.holders().end(m); i++)
       row_changes_[*i] = 1;
   }
+}
+
+// Whether a stale ghost may touch a rod.
+bool CloseRodPairs::want_ghosts(const std::vector<Capsule> &rods) const
+{
+  for (const Entry &entry : entries_)
+    if (entry.j >= atom->nlocal && ghosts_->is_stale(entry.j) &&
+        are_nearer(rods[entry.i], rods[entry.j], ghosts_->slack(entry.j)))
+      return true;
+  return false;
+}
+
+// By all ranks. One that is stale from now on has less of its skin.
+void CloseRodPairs::ask_for_ghosts(const std::vector<Capsule> &rods)
+{
+  wanted_ghosts_.clear();
+  were_stale_.clear();
+  for (const int j : tracked_ghosts()) {
+    were_stale_.push_back(ghosts_->is_stale(j));
+    const double gap = ghosts_->slack(j) + kAskedBeyond * rods[j].radius;
+    const int *end = list_.holders().end(j);
+    if (std::any_of(list_.holders().begin(j), end,
+                    [&](int i) { return are_nearer(rods[i], rods[j], gap); }))
+      wanted_ghosts_.push_back(j);
+  }
+  add_used_ghosts(lmp, wanted_ghosts_);
+  ghosts_->ask_for(wanted_ghosts_);
+  auto was_stale = were_stale_.cbegin();
+  for (const int j : tracked_ghosts())
+    if (!*was_stale++ && ghosts_->is_stale(j)) move(j, rods[j], least_half(speed_of(j)));
 }
 
 // Of one row the close pairs, which are those of before but of rods that have moved. Pairs with a contact

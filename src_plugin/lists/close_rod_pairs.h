@@ -9,6 +9,7 @@
 #include "core/closest_points.h"
 #include "lists/pair_skins.h"
 #include "lists/rod_pair_list.h"
+#include "rods/needed_ghosts.h"
 #include "rods/rod_threads.h"
 
 namespace LAMMPS_NS {
@@ -60,21 +61,13 @@ class CloseRodPairs : protected Pointers {
   template <typename Poses>
   void update(PairGran &pair, const RodThreads &threads, Poses &poses, bool migrated)
   {
-    const std::vector<spherocylinder::Capsule> &rods = poses.rods();
-    if (migrated) {
-      poses.read_all(threads);
-      migrated = !list_goes_on(pair, rods);
-    }
-    Wanted wanted = migrated ? Wanted::AllPairs : look(threads, poses.reader(), rods);
-    if (wanted == Wanted::SomePairs) {
-      poses.read_all(threads);
-      wanted = renew_some(pair, rods) ? Wanted::ClosePairs : Wanted::AllPairs;
-    }
-    if (wanted == Wanted::AllPairs) {
-      if (!migrated) poses.read_all(threads);
-      renew(pair, threads, rods, migrated);
-    }
-    if (wanted == Wanted::ClosePairs) refresh(pair, threads);
+    make(pair, threads, poses, migrated);
+    if (ghosts_->may_be_stale())
+      for (bool first = migrated; first || ghosts_->any_rank(want_ghosts(poses.rods()));
+           first = false) {
+        ask_for_ghosts(poses.rods());
+        make(pair, threads, poses, false);
+      }
     count_step();
   }
 
@@ -98,6 +91,9 @@ class CloseRodPairs : protected Pointers {
 
   RodPairList list_;
   PairSkins skins_;
+  NeededGhosts *ghosts_ = nullptr;  // of the rods
+  std::vector<int> wanted_ghosts_;
+  std::vector<char> were_stale_;
   bigint seen_builds_ = -1;  // of LIGGGHTS's lists, in this run
   // Reference poses of both lists; radii with the rod's half of the skin, which is what it may move.
   std::vector<spherocylinder::Capsule> reference_, list_reference_;
@@ -132,6 +128,26 @@ class CloseRodPairs : protected Pointers {
 
   enum class Wanted { Nothing, ClosePairs, SomePairs, AllPairs };
 
+  template <typename Poses>
+  void make(PairGran &pair, const RodThreads &threads, Poses &poses, bool migrated)
+  {
+    const std::vector<spherocylinder::Capsule> &rods = poses.rods();
+    if (migrated) {
+      poses.read_all(threads);
+      migrated = !list_goes_on(pair, rods);
+    }
+    Wanted wanted = migrated ? Wanted::AllPairs : look(threads, poses.reader(), rods);
+    if (wanted == Wanted::SomePairs) {
+      poses.read_all(threads);
+      wanted = renew_some(pair, rods) ? Wanted::ClosePairs : Wanted::AllPairs;
+    }
+    if (wanted == Wanted::AllPairs) {
+      if (!migrated) poses.read_all(threads);
+      renew(pair, threads, rods, migrated);
+    }
+    if (wanted == Wanted::ClosePairs) refresh(pair, threads);
+  }
+
   bool list_goes_on(PairGran &pair, const std::vector<spherocylinder::Capsule> &rods);
   // Reads owned rods and tracked ghosts, and looks which have come through their skins.
   template <typename Reader>
@@ -159,9 +175,9 @@ class CloseRodPairs : protected Pointers {
   bool begin_to_look(const RodThreads &threads, int rods);
   Wanted finish_to_look(const std::vector<spherocylinder::Capsule> &rods);
   static bool has_used_up_skin(const spherocylinder::Capsule &rod,
-                               const spherocylinder::Capsule &reference)
+                               const spherocylinder::Capsule &reference, double stale_by = 0.0)
   {
-    const double half = reference.radius - rod.radius;
+    const double half = reference.radius - rod.radius - stale_by;
     return twice_shift_squared(rod.segment, reference.segment) > half * half;
   }
   bool move_on(int i, const spherocylinder::Capsule &rod);
@@ -183,15 +199,14 @@ class CloseRodPairs : protected Pointers {
   void count_step();
   bool is_close(int i, int j) const;
   bool ghosts_stay() const;
+  bool stays(int ghost) const;
+  double stale_by(int i) const;
+  double may_be_stale_by(int i) const;
+  double listed_half(int i, const spherocylinder::Capsule &rod) const;
+  double close_half(int i, const spherocylinder::Capsule &rod) const;
+  void ask_for_ghosts(const std::vector<spherocylinder::Capsule> &rods);
+  bool want_ghosts(const std::vector<spherocylinder::Capsule> &rods) const;
   std::array<double, 3> box_size() const;
-  // Any surface point of a rod moves at most as far as its centre plus its axis's end; a spin about
-  // the axis moves no surface. (a + b)^2 <= 2 a^2 + 2 b^2 saves the roots.
-  static double twice_shift_squared(const spherocylinder::Segment &now,
-                                    const spherocylinder::Segment &then)
-  {
-    return 2.0 * (norm_squared(now.centre - then.centre) +
-                  now.half_length * now.half_length * norm_squared(now.axis - then.axis));
-  }
 };
 
 }  // namespace LAMMPS_NS

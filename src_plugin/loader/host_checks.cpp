@@ -23,6 +23,7 @@
 #include "output.h"
 #include "region.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "rods/ghost_user.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -183,6 +184,46 @@ void check_run(LAMMPS *lmp, int narg, char **arg)
                "run without pre no)");
 }
 
+// Fixes and computes of ours under names that LIGGGHTS has not, which look at no rods of other ranks but those
+// that touch.
+constexpr const char *kReadNoGhosts[] = {"balance",
+                                         "check/timestep/spherocylinder",
+                                         "contact/spherocylinder",
+                                         "erotate/spherocylinder",
+                                         "limit/omega",
+                                         "nve/spherocylinder",
+                                         "particletemplate/spherocylinder",
+                                         "rest/spherocylinder"};
+
+// Whoever is in no table, as a style of another library, is taken to read ghosts.
+bool reads_ghosts(HostKind kind, const char *style)
+{
+  for (const char *own : kReadNoGhosts)
+    if (is(style, own)) return false;
+  if (strncmp(style, "mesh/surface", 12) == 0) return false;  // with any modules
+  const HostStyle *row = find_host_style(kind, style);
+  return !row || row->reads_ghosts;
+}
+
+// Whether ghosts that touch nothing may be left out of a step's messages (rods/needed_ghosts.h).
+void see_who_reads_ghosts(LAMMPS *lmp)
+{
+  NeededGhosts &ghosts = static_cast<AtomVecSpherocylinder &>(*lmp->atom->avec).ghosts();
+  ghosts.begin_run();
+  const auto look = [&](HostKind kind, const char *style, const char *id) {
+    if (reads_ghosts(kind, style))
+      ghosts.send_all_for(std::string(word_for(kind)) + " " + style + " (id " + id + ")");
+  };
+  for (int i = 0; i < lmp->modify->nfix; i++) {
+    const Fix *fix = lmp->modify->fix[i];
+    if (!dynamic_cast<const GhostUser *>(fix)) look(HostKind::Fix, fix->style, fix->id);
+  }
+  for (int i = 0; i < lmp->modify->ncompute; i++) {
+    const Compute *compute = lmp->modify->compute[i];
+    look(HostKind::Compute, compute->style, compute->id);
+  }
+}
+
 void say_if_rods_cannot_touch(LAMMPS *lmp)
 {
   if (!lmp->force->pair && lmp->comm->me == 0)
@@ -268,6 +309,7 @@ void check_styles_at_run_start(LAMMPS *lmp)
     check_with_id(lmp, HostKind::Dump, dump->style, dump->id);
     check_dump_format(lmp, *dump);
   }
+  see_who_reads_ghosts(lmp);
 }
 
 }  // namespace spherocylinder

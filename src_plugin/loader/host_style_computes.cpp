@@ -15,12 +15,20 @@ constexpr HostStyle different(const char *name, const char *sentence)
   return {HostKind::Compute, name, Verdict::Different, sentence};
 }
 
+constexpr HostStyle of_centres(const char *name)
+{
+  return {
+      HostKind::Compute, name, Verdict::Different,
+      "of the rods' centres, whose distances say nothing about contact; on several ranks all ghosts "
+      "are sent in each step",
+      true};
+}
+
 constexpr HostStyle refused(const char *name, const char *sentence)
 {
   return {HostKind::Compute, name, Verdict::Refused, sentence};
 }
 
-constexpr const char *kCentres = "of the rods' centres, whose distances say nothing about contact";
 constexpr const char *kPoints = "of the rods' centres, as of points";
 constexpr const char *kMolecules =
     "atom_style spherocylinder has no molecules; use groups and compute reduce";
@@ -33,16 +41,16 @@ std::vector<HostStyle> compute_rows()
   return {
       refused("atom/molecule", kMolecules),
       refused("bond/local", "atom_style spherocylinder has no bonds; use compute pair/gran/local"),
-      different("centro/atom", kCentres),
-      different("cluster/atom", kCentres),
-      different("cna/atom", kCentres),
+      of_centres("centro/atom"),
+      of_centres("cluster/atom"),
+      of_centres("cna/atom"),
       right("com"),
       refused("com/molecule", kMolecules),
       refused("contact/atom",
               "it would count the rods' bounding spheres; use compute contact/spherocylinder"),
       refused("contact/atom/gran",
               "it would count the rods' bounding spheres; use compute contact/spherocylinder"),
-      different("coord/atom", kCentres),
+      of_centres("coord/atom"),
       right("displace/atom"),
       refused("erotate", "it takes rods for spheres; use compute erotate/spherocylinder"),
       refused("erotate/asphere", "it is for ellipsoids; use compute erotate/spherocylinder"),
@@ -76,7 +84,7 @@ std::vector<HostStyle> compute_rows()
       refused("property/local",
               "granular pair styles do not serve it; use compute pair/gran/local"),
       refused("property/molecule", kMolecules),
-      different("rdf", kCentres),
+      of_centres("rdf"),
       right("reduce"),
       right("reduce/region", "a rod is in the region if its centre is"),
       refused("reduce/sph", "it is for smoothed-particle fluids; use compute reduce"),

@@ -47,6 +47,8 @@ struct HostStyle {
   // Refused: "what it cannot do with rods; what to use instead", as the error prints it. Otherwise
   // what differs or is worth knowing, or empty.
   const char *sentence;
+  // Of a fix or compute: looks at rods of other ranks by itself, not by the pair style's list.
+  bool reads_ghosts = false;
 };
 
 // All rows, kind by kind in the order above.

@@ -27,12 +27,13 @@ constexpr int kGrowBy = 1024;
 
 }  // namespace
 
-AtomVecSpherocylinder::AtomVecSpherocylinder(LAMMPS *lmp) : AtomVec(lmp), attachments_(lmp)
+AtomVecSpherocylinder::AtomVecSpherocylinder(LAMMPS *lmp)
+    : AtomVec(lmp), attachments_(lmp), ghosts_(lmp)
 {
   molecular = 0;
   comm_x_only = 0;  // the orientation travels too
   comm_f_only = 0;
-  size_forward = rod_field_size(kForward);
+  size_forward = rod_field_size(kForward) + 1;  // and the place of a ghost where not all are sent
   size_reverse = rod_field_size(kReverse);
   size_border = rod_field_size(kBorder);
   size_velocity = rod_field_size(kForwardVelocity);
@@ -143,8 +144,7 @@ GhostGain AtomVecSpherocylinder::gain_across(unsigned travel, const int *pbc) co
   if ((travel & kBorder) && domain->triclinic) {
     gain.period = {double(pbc[0]), double(pbc[1]), double(pbc[2])};
   } else {
-    gain.period = {pbc[0] * domain->xprd + pbc[5] * domain->xy + pbc[4] * domain->xz,
-                   pbc[1] * domain->yprd + pbc[3] * domain->yz, pbc[2] * domain->zprd};
+    gain.period = period_across(*domain, pbc);
   }
   if (deform_vremap) {
     gain.box_speed = {pbc[0] * h_rate[0] + pbc[5] * h_rate[5] + pbc[4] * h_rate[4],
@@ -172,44 +172,62 @@ const double *AtomVecSpherocylinder::unpack(unsigned travel, int n, int first, c
 
 int AtomVecSpherocylinder::pack_comm(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
-  return pack(kForward, n, list, buf, pbc_flag, pbc);
+  return pack_needed(kForward, n, list, buf, pbc_flag, pbc);
 }
 
 int AtomVecSpherocylinder::pack_comm_vel(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
-  return pack(kForward | kForwardVelocity, n, list, buf, pbc_flag, pbc);
+  return pack_needed(kForward | kForwardVelocity, n, list, buf, pbc_flag, pbc);
+}
+
+int AtomVecSpherocylinder::pack_needed(unsigned travel, int n, const int *list, double *buf,
+                                       int pbc_flag, const int *pbc)
+{
+  return ghosts_.pack(travel, n, list, pbc_flag ? gain_across(travel, pbc) : GhostGain{}, buf);
 }
 
 void AtomVecSpherocylinder::unpack_comm(int n, int first, double *buf)
 {
-  unpack(kForward, n, first, buf);
+  ghosts_.unpack(kForward, n, first, buf);
 }
 
 void AtomVecSpherocylinder::unpack_comm_vel(int n, int first, double *buf)
 {
-  unpack(kForward | kForwardVelocity, n, first, buf);
+  ghosts_.unpack(kForward | kForwardVelocity, n, first, buf);
 }
 
 int AtomVecSpherocylinder::pack_reverse(int n, int first, double *buf)
 {
+  if (ghosts_.is_asking()) return ghosts_.pack_asked(n, first, buf);
   return pack_sums(*atom, n, first, buf);
 }
 
 void AtomVecSpherocylinder::unpack_reverse(int n, int *list, double *buf)
 {
-  add_sums(*atom, n, list, buf);
+  if (ghosts_.is_asking())
+    ghosts_.unpack_asked(n, list, buf);
+  else
+    add_sums(*atom, n, list, buf);
 }
 
 int AtomVecSpherocylinder::pack_border(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
-  const int m = pack(kBorder, n, list, buf, pbc_flag, pbc);
-  return m + pack_border_of_fixes(n, list, buf + m);
+  return pack_new_ghosts(kBorder, n, list, buf, pbc_flag, pbc);
 }
 
 int AtomVecSpherocylinder::pack_border_vel(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
-  const int m = pack(kBorder | kBorderVelocity, n, list, buf, pbc_flag, pbc);
-  return m + pack_border_of_fixes(n, list, buf + m);
+  return pack_new_ghosts(kBorder | kBorderVelocity, n, list, buf, pbc_flag, pbc);
+}
+
+int AtomVecSpherocylinder::pack_new_ghosts(unsigned travel, int n, int *list, double *buf,
+                                           int pbc_flag, const int *pbc)
+{
+  ghosts_.forget();
+  int m = pack(travel, n, list, buf, pbc_flag, pbc);
+  m += pack_border_of_fixes(n, list, buf + m);
+  ghosts_.count(list, n, m);
+  return m;
 }
 
 int AtomVecSpherocylinder::pack_border_of_fixes(int n, int *list, double *buf)

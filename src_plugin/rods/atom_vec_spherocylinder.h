@@ -15,6 +15,7 @@ AtomStyle(spherocylinder, AtomVecSpherocylinder)
 #include "core/rotation.h"
 #include "rods/attachments.h"
 #include "rods/field_travel.h"
+#include "rods/needed_ghosts.h"
 #include "rods/rod_watcher.h"
 
 namespace LAMMPS_NS {
@@ -88,6 +89,8 @@ class AtomVecSpherocylinder : public AtomVec {
     return attachments_.of<T>();
   }
 
+  NeededGhosts &ghosts() { return ghosts_; }
+
   void watch(std::unique_ptr<RodWatcher> watcher) { watcher_ = std::move(watcher); }
 
  private:
@@ -95,10 +98,14 @@ class AtomVecSpherocylinder : public AtomVec {
   double **x_ = nullptr, **quaternion_ = nullptr, **shape_ = nullptr;
   Attachments attachments_;
   std::unique_ptr<RodWatcher> watcher_;
+  NeededGhosts ghosts_;
 
   GhostGain gain_across(unsigned travel, const int *pbc) const;
   int pack(unsigned travel, int n, const int *list, double *buf, int pbc_flag,
            const int *pbc) const;
+  int pack_needed(unsigned travel, int n, const int *list, double *buf, int pbc_flag,
+                  const int *pbc);
+  int pack_new_ghosts(unsigned travel, int n, int *list, double *buf, int pbc_flag, const int *pbc);
   const double *unpack(unsigned travel, int n, int first, const double *buf);
   int pack_border_of_fixes(int n, int *list, double *buf);
   void unpack_ghosts(unsigned travel, int n, int first, double *buf);

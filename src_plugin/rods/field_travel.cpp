@@ -4,6 +4,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "domain.h"
 #include "host/buffer_values.h"
 #include "rods/field_arrays.h"
 
@@ -51,9 +52,27 @@ const double *scatter(const double *in, const RodField &field, int first, int n,
   return in;
 }
 
+template <typename T>
+const double *scatter(const double *in, const RodField &field, const std::vector<int> &rods,
+                      T *rows)
+{
+  for (const int i : rods) {
+    T *row = rows + static_cast<size_t>(field.width) * i;
+    for (int d = 0; d < field.sent; d++) receive(*in++, row[d]);
+  }
+  return in;
+}
+
 bool is_zero(const sc::Vec3 &v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
 
 }  // namespace
+
+sc::Vec3 LAMMPS_NS::period_across(const Domain &domain, const int *pbc)
+{
+  if (!pbc) return sc::kZero;
+  return {pbc[0] * domain.xprd + pbc[5] * domain.xy + pbc[4] * domain.xz,
+          pbc[1] * domain.yprd + pbc[3] * domain.yz, pbc[2] * domain.zprd};
+}
 
 int LAMMPS_NS::pack_rod_fields(Atom &atom, unsigned travel, int n, const int *list,
                                const GhostGain &gain, double *buf)
@@ -82,6 +101,15 @@ const double *LAMMPS_NS::unpack_rod_fields(Atom &atom, unsigned travel, int n, i
   for_each_field(atom, travel, [&](auto *rows, const RodField &field) {
     in = scatter(in, field, first, n, rows);
   });
+  return in;
+}
+
+const double *LAMMPS_NS::unpack_rod_fields(Atom &atom, unsigned travel,
+                                           const std::vector<int> &rods, const double *buf)
+{
+  const double *in = buf;
+  for_each_field(atom, travel,
+                 [&](auto *rows, const RodField &field) { in = scatter(in, field, rods, rows); });
   return in;
 }
 

@@ -3,11 +3,17 @@
 // to restart files.
 #pragma once
 
+#include <vector>
+
 #include "core/vec3.h"
 
 namespace LAMMPS_NS {
 
 class Atom;
+class Domain;
+
+// How far a ghost lies from its owner, whose period numbers are these; null: there is none between.
+spherocylinder::Vec3 period_across(const Domain &domain, const int *pbc);
 
 // Of a ghost over its owner, across a periodic boundary (kGainsPeriod, kGainsBoxSpeed).
 struct GhostGain {
@@ -22,6 +28,10 @@ int pack_rod_fields(Atom &atom, unsigned travel, int n, const int *list, const G
 
 // Into rods first ... first + n - 1. Returns where the buffer goes on.
 const double *unpack_rod_fields(Atom &atom, unsigned travel, int n, int first, const double *buf);
+
+// Into these rods.
+const double *unpack_rod_fields(Atom &atom, unsigned travel, const std::vector<int> &rods,
+                                const double *buf);
 
 // Forces and torques on n ghosts, and onto their owners.
 int pack_sums(Atom &atom, int n, int first, double *buf);

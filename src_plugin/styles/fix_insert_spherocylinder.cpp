@@ -16,6 +16,7 @@
 #include "host/deck_numbers.h"
 #include "host/rod_error.h"
 #include "region.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -91,6 +92,15 @@ double share_near_faces_of(LAMMPS *lmp, Region &region, double bounding_radius)
   const double hi[3] = {region.extent_xhi, region.extent_yhi, region.extent_zhi};
   return share_near_faces_of(lmp, lo, hi, bounding_radius,
                              [&](const double *x) { return region.match(x[0], x[1], x[2]) != 0; });
+}
+
+// New rods must not overlap those of other ranks, wherever these are.
+template <typename Insertion>
+void insert_among_ghosts(LAMMPS *lmp, Insertion &fix)
+{
+  if (fix.next_reneighbor == lmp->update->ntimestep)
+    rods_of(lmp, "Insertion of rods").ghosts().bring_all();
+  fix.Insertion::pre_exchange();
 }
 
 // Two ranks, or the two sides of a period, do not see each other's new rods.
@@ -186,6 +196,8 @@ int FixInsertPackSpherocylinder::calc_ninsert_this()
   return missing;
 }
 
+void FixInsertPackSpherocylinder::pre_exchange() { insert_among_ghosts<FixInsertPack>(lmp, *this); }
+
 double FixInsertPackSpherocylinder::share_near_faces(double bounding_radius) const
 {
   if (!check_ol_flag || !check_dist_from_subdomain_border_) return 0.0;
@@ -202,6 +214,11 @@ void FixInsertRateRegionSpherocylinder::init()
 {
   FixInsertRateRegion::init();
   check_keeps_from_faces(lmp, *this, check_ol_flag, check_dist_from_subdomain_border_);
+}
+
+void FixInsertRateRegionSpherocylinder::pre_exchange()
+{
+  insert_among_ghosts<FixInsertRateRegion>(lmp, *this);
 }
 
 double FixInsertRateRegionSpherocylinder::share_near_faces(double bounding_radius) const
@@ -236,6 +253,11 @@ void FixInsertStreamSpherocylinder::end_of_step()
                                    atom->inertia[i][0]),
               atom->angmom[i]);
   }
+}
+
+void FixInsertStreamSpherocylinder::pre_exchange()
+{
+  insert_among_ghosts<FixInsertStream>(lmp, *this);
 }
 
 double FixInsertStreamSpherocylinder::share_near_faces(double bounding_radius) const

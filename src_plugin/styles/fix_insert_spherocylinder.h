@@ -38,6 +38,7 @@ class FixInsertPackSpherocylinder : public FixInsertPack, public InsertionNearFa
  public:
   FixInsertPackSpherocylinder(LAMMPS *lmp, InsertionArguments arguments);
   void init() override;
+  void pre_exchange() override;
   double share_near_faces(double bounding_radius) const override;
 
  protected:
@@ -48,12 +49,14 @@ class FixInsertRateRegionSpherocylinder : public FixInsertRateRegion, public Ins
  public:
   FixInsertRateRegionSpherocylinder(LAMMPS *lmp, InsertionArguments arguments);
   void init() override;
+  void pre_exchange() override;
   double share_near_faces(double bounding_radius) const override;
 };
 
 class FixInsertStreamSpherocylinder : public FixInsertStream, public InsertionNearFaces {
  public:
   FixInsertStreamSpherocylinder(LAMMPS *lmp, InsertionArguments arguments);
+  void pre_exchange() override;
   void end_of_step() override;
   double share_near_faces(double bounding_radius) const override;
 };

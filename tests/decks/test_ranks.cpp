@@ -240,7 +240,8 @@ TEST_P(Travelling, PairsTakeTheirSpringsAlong)
 
 INSTANTIATE_TEST_SUITE_P(Subdomains, Travelling,
                          testing::Values(Processors{2, 1, 1}, Processors{1, 1, 2},
-                                         Processors{2, 1, 2}));
+                                         Processors{2, 1, 2}, Processors{3, 1, 1},
+                                         Processors{2, 2, 2}));
 
 // A tall vessel, rods over half its height that fall on its floor.
 Scene filling_vessel()
