@@ -199,7 +199,7 @@ class CloseRodPairs : protected Pointers {
   void count_step();
   bool is_close(int i, int j) const;
   bool ghosts_stay() const;
-  bool stays(int ghost) const;
+  bool stays(int i) const;
   double stale_by(int i) const;
   double may_be_stale_by(int i) const;
   double listed_half(int i, const spherocylinder::Capsule &rod) const;
