@@ -27,7 +27,7 @@ void BetweenFinder::find()
   join_neighbours(ends);
   bears_.clear();
   for (size_t k = ends; k < contacts_.size(); k++)
-    bears_.push_back(is_smooth(contacts_[k]) ? standing_out(k, ends) : 1.0);
+    bears_.push_back(1.0 - gentleness(contacts_[k]) * (1.0 - standing_out(k, ends)));
   fade_ends(ends);
   share_between(ends);
 }
@@ -134,6 +134,15 @@ double BetweenFinder::way_from(const SurfaceContact &between, const SurfaceConta
   return 1.0;
 }
 
+double BetweenFinder::gentleness(const SurfaceContact &contact) const
+{
+  constexpr double kGentle = 0.35, kSteep = 0.5;  // rad
+  if (!is_smooth(contact)) return 0.0;
+  double turn = 0.0;
+  for_each_edge_of(contact, [&](const SurfaceEdge &edge) { turn = std::max(turn, edge.turn); });
+  return std::clamp((kSteep - turn) / (kSteep - kGentle), 0.0, 1.0);
+}
+
 bool BetweenFinder::is_smooth(const SurfaceContact &contact) const
 {
   bool all = true;
@@ -162,6 +171,7 @@ void BetweenFinder::join_neighbours(size_t ends)
     overlaps_.push_back(rod_.radius - contacts_[k].distance);
   }
   joined_to_.assign(count - ends, -1);
+  joined_.assign(count - ends, 0.0);
   for (size_t k = ends; k < count; k++)
     for (size_t n = k + 1; n < count; n++)
       if (contacts_[k].weight > 0.0 && contacts_[n].weight > 0.0 && is_smooth(contacts_[k]) &&
@@ -198,19 +208,20 @@ void BetweenFinder::join(size_t nearest, size_t rim)
     for_each_edge_of(*contact, [&](const SurfaceEdge &edge) { turn = std::min(turn, edge.turn); });
   const double width = 0.5 * crossing * turn * std::fabs(one.along - other.along);
   const double difference = overlap(nearest) - overlap(rim);
-  if (!(difference < width)) {
-    other.weight = 0.0;
-    return;
-  }
+  // Facets that turn by more than the rod is pressed into them are a polygon, whose edges bear for themselves.
+  const double joined = std::clamp(2.0 - width / overlap(nearest), 0.0, 1.0);
+  if (!(overlap(rim) > 0.0) || joined == 0.0) return;
   // The deeper one may have a neighbour on either side, the other has this one.
-  const double part = 0.5 - 0.5 * difference / width;
-  const double more = width * part * (1.0 - part) - part * difference;
-  other.weight = part;
-  other.distance = rod_.radius - (overlap(nearest) + more);
-  one.weight = std::max(0.0, one.weight - part);
+  const double part = difference < width ? 0.5 - 0.5 * difference / width : 0.0;
+  const double more = joined * (width * part * (1.0 - part) - part * difference);
+  other.weight = joined * part + (1.0 - joined) * other.weight;
+  other.distance -= joined * difference + more;
+  one.weight = std::max(0.0, one.weight - joined * part);
   one.distance -= more;
-  joined_to_[nearest - ends_] = static_cast<int>(rim);
-  joined_to_[rim - ends_] = static_cast<int>(nearest);
+  for (const size_t k : {nearest, rim}) {
+    joined_to_[k - ends_] = static_cast<int>(k == rim ? nearest : rim);
+    joined_[k - ends_] = std::max(joined_[k - ends_], joined);
+  }
 }
 
 // Along the contact's normal, by the end's own contact with the patch; 0 of one that has none (m).
@@ -252,20 +263,22 @@ void BetweenFinder::share_between(size_t ends)
   for (size_t k = ends; k < count; k++) {
     const SurfaceContact &contact = contacts_[k];
     if (!(contact.weight > 0.0)) continue;
-    const int joined_to = joined_to_[k - ends];
-    double all = joined_to < 0 ? contact.weight : 1.0, left = 1.0;
+    double all = std::max(contact.weight, joined_[k - ends]), left = 1.0;
     for (size_t other = ends; other < count; other++) {
-      if (other == k || static_cast<int>(other) == joined_to ||
-          joined_to_[other - ends] == static_cast<int>(k))
-        continue;
-      const double near = contacts_[other].weight * nearness(contact, contacts_[other]);
+      if (other == k) continue;
+      const bool are_joined = joined_to_[k - ends] == static_cast<int>(other) ||
+                              joined_to_[other - ends] == static_cast<int>(k);
+      const double apart =
+          are_joined ? 1.0 - std::min(joined_[k - ends], joined_[other - ends]) : 1.0;
+      const double near = apart * contacts_[other].weight * nearness(contact, contacts_[other]);
       if (is_nearest(other) == is_nearest(k))
         all += near;
       else if (is_nearest(other))
         left = std::min(left, 1.0 - near);
     }
+    const double gentle = gentleness(contact);
     shares[k] = left * contact.weight / std::max(1.0, all) *
-                (is_smooth(contact) ? bears_[k - ends] : left_by_ends(contact, ends));
+                (bears_[k - ends] - (1.0 - gentle) * (1.0 - left_by_ends(contact, ends)));
   }
   for (size_t k = ends; k < count; k++) contacts_[k].weight = shares[k];
 }

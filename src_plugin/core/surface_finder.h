@@ -200,6 +200,8 @@ class BetweenFinder : SurfaceFinder {
   double way_from(const SurfaceContact &between, const SurfaceContact &end) const;
   // Where facets meet smoothly the surface is one, and its edges bear nothing by themselves.
   bool is_smooth(const SurfaceContact &contact) const;
+  // Of such edges: 1 of hardly any turn, 0 of one at which ends and what is between them are told apart.
+  double gentleness(const SurfaceContact &contact) const;
   template <typename See>
   void for_each_edge_of(const SurfaceContact &contact, See see) const;
   // Two neighbouring edges of a smooth patch share one load: by how much the facet between them leans, from
@@ -233,6 +235,7 @@ class BetweenFinder : SurfaceFinder {
   std::vector<double> overlaps_;
   std::vector<double> bears_;        // see standing_out, 1 if sharp
   std::vector<int> joined_to_;       // the other, -1 if none
+  std::vector<double> joined_;       // how far, 0 to 1
   std::vector<int> nearest_within_;  // edges that the axis is nearest to between both's ends
 };
 
