@@ -344,7 +344,7 @@ void FixWallGranSpherocylinder::begin_meshes()
                     "Fix wall/gran (id %s): mesh %s is named twice, its contacts would bear twice",
                     id, mesh_list()[m]->id);
   for (int m = 0; m < n_meshes(); m++)
-    meshes_.push_back({MeshSurface(*mesh_list()[m]), RodsNearMesh(lmp)});
+    meshes_.push_back({MeshSurface(*mesh_list()[m], *domain), RodsNearMesh(lmp)});
   mesh_histories_.keep(history_values());
   restart_peratom = 1;
   create_attribute = 1;
@@ -459,7 +459,7 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
   }
   meshes_may_be_others_ = false;
   check_meshes_are_kept_ones();
-  check_meshes_are_slow();
+  if (update->setupflag == 0) check_meshes_are_slow();  // else put there between runs
   for (size_t m = 0; m < meshes_.size(); m++) {
     MeshSurface &mesh = meshes_[m].surface;
     RodsNearMesh &rods = meshes_[m].rods;

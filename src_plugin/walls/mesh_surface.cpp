@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "domain.h"
 #include "fix_mesh_surface.h"
 #include "host/private_members.h"
 
@@ -52,10 +54,10 @@ void MeshSurface::read()
   for (size_t t = 0; t < ids.size(); t++) ids[t] = mesh.id(static_cast<int>(t));
   std::vector<Corners> corners;
   read_corners(corners);
+  step_ = ids_.empty() ? 0.0 : step_of_same_triangles(ids, corners);
   if (ids == ids_ && are_equal(corners, corners_)) return;
 
   version_++;
-  step_ = 0.0;
   const bool are_the_same = ids == ids_;
   corners_ = std::move(corners);
   // A mesh that moved is the same surface elsewhere; one whose copies beyond a periodic boundary have
@@ -72,6 +74,36 @@ void MeshSurface::read()
   make_trees(true);
   kept_ = corners_;
   shift_ = 0.0;
+}
+
+Vec3 MeshSurface::shortest_image(const Vec3 &way) const
+{
+  double shortest[3];
+  store(way, shortest);
+  domain_->minimum_image(shortest);
+  return load(shortest);
+}
+
+// Triangles have other numbers on this rank now, or are copies beyond another face of the box: each is
+// compared with the nearest of those that had its id, less the length of a periodic box.
+double MeshSurface::step_of_same_triangles(const std::vector<int> &ids,
+                                           const std::vector<Corners> &corners) const
+{
+  double largest = 0.0;
+  for (size_t t = 0; t < ids.size(); t++) {
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto range = triangles_.equal_range(ids[t]);
+    for (auto then = range.first; then != range.second; ++then) {
+      double farthest = 0.0;
+      for (int k = 0; k < 3; k++) {
+        const Vec3 way = corners[t][k] - corners_[then->second][k];
+        farthest = std::max(farthest, norm_squared(shortest_image(way)));
+      }
+      nearest = std::min(nearest, farthest);
+    }
+    if (range.first != range.second) largest = std::max(largest, nearest);
+  }
+  return std::sqrt(largest);
 }
 
 // Once a step, not at each contact: a mover brings them when it begins to move.

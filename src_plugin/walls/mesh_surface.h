@@ -9,6 +9,7 @@
 
 namespace LAMMPS_NS {
 
+class Domain;
 class FixMeshSurface;
 template <typename T, int NUM_VEC, int LEN_VEC>
 class MultiVectorContainer;
@@ -17,7 +18,7 @@ class MultiVectorContainer;
 // surface, with their velocities.
 class MeshSurface {
  public:
-  explicit MeshSurface(FixMeshSurface &fix) : fix_(&fix) {}
+  MeshSurface(FixMeshSurface &fix, Domain &domain) : fix_(&fix), domain_(&domain) {}
 
   FixMeshSurface &fix() const { return *fix_; }
 
@@ -36,6 +37,9 @@ class MeshSurface {
   int id(int triangle) const { return ids_[triangle]; }
   int triangle_of(int id, const spherocylinder::Vec3 &point) const;
 
+  // Of a way between two points of a box the shortest one through its periodic faces.
+  spherocylinder::Vec3 shortest_image(const spherocylinder::Vec3 &way) const;
+
   // Of the surface at a point of it (m/s).
   spherocylinder::Vec3 velocity(int triangle, const spherocylinder::Vec3 &point) const;
 
@@ -46,11 +50,12 @@ class MeshSurface {
   // Another number each time that triangles have other places in surface().
   int topology() const { return topology_; }
   void keep_place();
-  // How far any corner came in the last step (m).
+  // How far any corner came in the last step (m): of triangles that this rank had before, if read().
   double step() const { return step_; }
 
  private:
   FixMeshSurface *fix_;
+  Domain *domain_;
   std::vector<int> ids_;
   std::vector<spherocylinder::Corners> corners_, kept_;
   std::unordered_multimap<int, int> triangles_;  // by id
@@ -61,6 +66,8 @@ class MeshSurface {
   int version_ = 0, topology_ = 0;
 
   void find_velocities();
+  double step_of_same_triangles(const std::vector<int> &ids,
+                                const std::vector<spherocylinder::Corners> &corners) const;
   void read_corners(std::vector<spherocylinder::Corners> &corners) const;
   // Of a surface that is the same elsewhere the trees stay as they are, or all are new.
   void make_trees(bool are_new);

@@ -293,20 +293,51 @@ TEST(MovedMeshes, ADrumTakesRodsRound)
                error);
 }
 
-// More than a rod's radius a step: one sentence.
+// More than a rod's radius a step: one sentence, also in a step in which LIGGGHTS makes its lists anew and
+// gives triangles to other ranks.
 TEST(MovedMeshes, MayNotJump)
 {
+  const Scene scene = plate_scene("");
+  for (const char *lists : {"", " every 1 check no"})
+    for (const int ranks : {1, 2}) {
+      const DeckFolder folder;
+      folder.write("rods.data", data_file(scene));
+      folder.write("plate.stl", scene.files.at("plate.stl"));
+      folder.write("in.jump",
+                   preamble(scene, ranks == 2 ? Mode::TwoRanks : Mode::OneRank) +
+                       std::string("read_data rods.data\nneighbor 0.02 bin\nneigh_modify delay 0") +
+                       lists + "\n" + scene.physics + plate() +
+                       "variable n equal 0.0\nvariable z equal -600.0*(step==6)\n"
+                       "fix go all move/mesh mesh m linear/variable v_n v_n v_z\n"
+                       "timestep 1e-5\nrun 10\n");
+      const Outcome outcome = folder.run("in.jump", {Program::Lmp, ranks, 60});
+      EXPECT_NE(outcome.exit_code, 0) << lists;
+      EXPECT_NE(outcome.output.find("ERROR"), std::string::npos) << outcome.output;
+      EXPECT_NE(outcome.output.find("mesh m moves by 0.006 at step 6"), std::string::npos)
+          << outcome.output;
+    }
+}
+
+// Through a periodic boundary, with new lists in each step: copies of triangles that come and go, and
+// triangles that LIGGGHTS puts to the other side of the box, are no jump.
+TEST(MovedMeshes, MayGoThroughPeriodicBoundaries)
+{
   Scene scene = plate_scene("");
-  const DeckFolder folder;
-  folder.write("rods.data", data_file(scene));
-  folder.write("plate.stl", scene.files["plate.stl"]);
-  folder.write("in.jump", preamble(scene) +
-                              "read_data rods.data\nneighbor 0.02 bin\nneigh_modify delay 0\n" +
-                              scene.physics + plate() +
-                              "fix go all move/mesh mesh m linear 0.0 0.0 -600.0\n"
-                              "timestep 1e-5\nrun 10\n");
-  const Outcome outcome = folder.run("in.jump");
-  EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_NE(outcome.output.find("ERROR"), std::string::npos) << outcome.output;
-  EXPECT_NE(outcome.output.find("mesh m moves by 0.006"), std::string::npos) << outcome.output;
+  scene.boundary = "p p f";
+  scene.files["strip.stl"] =
+      stl(tiled({{-0.1, -0.5, -0.1}, {0.2, 0.0, 0.0}, {0.0, 1.0, 0.0}}, 3, 5));
+  for (const int ranks : {1, 2}) {
+    const DeckFolder folder;
+    folder.write("rods.data", data_file(scene));
+    folder.write("strip.stl", scene.files["strip.stl"]);
+    folder.write("in.strip", preamble(scene, ranks == 2 ? Mode::TwoRanks : Mode::OneRank) +
+                                 "read_data rods.data\nneighbor 0.02 bin\n"
+                                 "neigh_modify delay 0 every 1 check no\n" +
+                                 scene.physics + mesh_fix("m", "strip.stl") +
+                                 mesh_wall("strip", kModels, {"m"}) +
+                                 "fix go all move/mesh mesh m linear 300.0 0.0 0.0\n"
+                                 "timestep 1e-5\nrun 800\n");
+    const Outcome outcome = folder.run("in.strip", {Program::Lmp, ranks, 60});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  }
 }
