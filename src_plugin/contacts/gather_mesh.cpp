@@ -136,9 +136,11 @@ void MeshGatherer::match()
       values = std::move(before_[source[k]].values);
       before_[source[k]].mesh = kNone;
     }
-    kept.push_back({number_, static_cast<int>(contact.place), mesh_->id(contact.triangle),
-                    contact.part, contact.along, contact.normal, std::move(values),
-                    contact.triangle, mesh_->topology()});
+    kept.push_back(
+        {number_, static_cast<int>(contact.place), mesh_->id(contact.triangle), contact.part,
+         contact.along, contact.normal,
+         contact.on_axis(capsule_.segment) - mesh_->surface().shape(contact.triangle).centre(),
+         std::move(values), contact.triangle, mesh_->topology()});
   }
 }
 

@@ -9,7 +9,7 @@ using spherocylinder::store;
 
 namespace {
 
-constexpr int kFixedNumbers = 8;  // of a contact, before its models' values
+constexpr int kFixedNumbers = 11;  // of a contact, before its models' values
 
 }  // namespace
 
@@ -29,7 +29,8 @@ int MeshHistories::pack(int rod, double *buffer) const
     *out++ = contact.part;
     *out++ = contact.along;
     store(contact.normal, out);
-    out = std::copy(contact.values.begin(), contact.values.end(), out + 3);
+    store(contact.place_in_mesh, out + 3);
+    out = std::copy(contact.values.begin(), contact.values.end(), out + 6);
   }
   return static_cast<int>(out - buffer);
 }
@@ -46,7 +47,8 @@ int MeshHistories::unpack(int rod, const double *buffer)
     contact.part = static_cast<int>(*in++);
     contact.along = *in++;
     contact.normal = load(in);
-    in += 3;
+    contact.place_in_mesh = load(in + 3);
+    in += 6;
     contact.values.assign(in, in + values_);
     in += values_;
   }

@@ -18,7 +18,8 @@ class MeshHistories {
     int part;         // of the triangle: see spherocylinder::SurfaceContact
     double along;     // of the point on the axis (m)
     spherocylinder::Vec3 normal;
-    std::vector<double> values;  // of the models
+    spherocylinder::Vec3 place_in_mesh;  // of the point on the axis, from the triangle's centre (m)
+    std::vector<double> values;          // of the models
 
     // The triangle in the present MeshSurface, if its topology() is still this.
     int triangle = -1, topology = -1;

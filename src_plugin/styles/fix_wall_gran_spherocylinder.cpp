@@ -17,6 +17,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "primitive_wall.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "styles/fix_neighlist_mesh_spherocylinder.h"
 #include "update.h"
 #include "variable.h"
@@ -445,6 +446,36 @@ void FixWallGranSpherocylinder::check_meshes_are_slow() const
                     id, mesh.surface.fix().id, mesh.surface.step(), update->ntimestep, thinnest_);
 }
 
+// A command may have put rods, or a mesh, elsewhere since the last run: such a rod meets the mesh anew, or
+// the side that it was on would pull it back through all that is between. In one step of a run a rod that
+// its wall can hold moves by less than its radius.
+void FixWallGranSpherocylinder::forget_false_contacts()
+{
+  const auto &rods = static_cast<const AtomVecSpherocylinder &>(*atom->avec);
+  for (int i = 0; i < atom->nlocal; i++) {
+    MeshHistories::Contacts &kept = mesh_histories_.of(i);
+    if (kept.empty()) continue;
+    const spherocylinder::Capsule rod = rods.capsule(i);
+    const auto is_false = [&](const MeshHistories::Contact &contact) {
+      const MeshSurface &mesh = meshes_[contact.mesh].surface;
+      const Vec3 point = rod.segment.at(contact.along);
+      const int triangle = mesh.triangle_of(contact.triangle_id, load(atom->x[i]));
+      if (triangle < 0) return true;
+      const Vec3 place = point - mesh.surface().shape(triangle).centre();
+      return norm(mesh.shortest_image(place - contact.place_in_mesh)) > rod.radius;
+    };
+    for (int m = 0; m < n_meshes(); m++) {
+      const auto is_of_mesh = [m](const MeshHistories::Contact &c) { return c.mesh == m; };
+      if (std::none_of(kept.begin(), kept.end(), [&](const MeshHistories::Contact &c) {
+            return is_of_mesh(c) && is_false(c);
+          }))
+        continue;
+      kept.erase(std::remove_if(kept.begin(), kept.end(), is_of_mesh), kept.end());
+      last_known_id_ = 0;  // with `pre no` it may be through a face as well
+    }
+  }
+}
+
 void FixWallGranSpherocylinder::post_force_mesh(int vflag)
 {
   if (!rod_wall_) {
@@ -460,6 +491,8 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
   meshes_may_be_others_ = false;
   check_meshes_are_kept_ones();
   if (update->setupflag == 0) check_meshes_are_slow();  // else put there between runs
+  // With `pre no` a run begins with its first step.
+  if (update->setupflag || update->ntimestep == update->firststep + 1) forget_false_contacts();
   for (size_t m = 0; m < meshes_.size(); m++) {
     MeshSurface &mesh = meshes_[m].surface;
     RodsNearMesh &rods = meshes_[m].rods;

@@ -93,6 +93,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void check_no_image_is_missed() const;
   void forget_contacts_of_far_rods(double **history);
   void begin_meshes();
+  void forget_false_contacts();
   std::vector<double> size_of_meshes() const;
   void check_meshes_are_kept_ones();
   void check_meshes_are_slow() const;

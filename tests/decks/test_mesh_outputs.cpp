@@ -173,7 +173,8 @@ TEST(MeshWalls, GoOnWithTheContactsOfTheSameMeshesOnly)
   const Vec3 low = {-0.15, -0.15, -0.15}, high = {0.15, 0.15, 0.15};
   scene.files["finer.stl"] = stl(box_mesh(low, high, 6));
   scene.files["wider.stl"] = stl(box_mesh(1.001 * low, 1.001 * high, 5));
-  scene.files["lid.stl"] = stl(tiled({{-0.1, -0.1, 0.155}, {0.2, 0.0, 0.0}, {0.0, 0.2, 0.0}}, 1, 1));
+  scene.files["lid.stl"] =
+      stl(tiled({{-0.1, -0.1, 0.155}, {0.2, 0.0, 0.0}, {0.0, 0.2, 0.0}}, 1, 1));
   const DeckFolder folder;
   ASSERT_EQ(run_deck(folder, scene, "run 2000\nwrite_restart at.2000\n").exit_code, 0);
   const auto go_on = [&](const std::string &walls) {
@@ -208,6 +209,78 @@ TEST(MeshWalls, GoOnWithTheContactsOfTheSameMeshesOnly)
     EXPECT_NE(outcome.exit_code, 0) << walls;
     EXPECT_NE(outcome.output.find(sentence), std::string::npos) << outcome.output;
   }
+}
+
+// Rods that a command puts to the other side of a sheet between two runs are where they are: on no side of
+// before. Those that it leaves, or moves by less than their radius, go on.
+TEST(MeshWalls, ForgetContactsOfRodsThatWerePutElsewhere)
+{
+  Scene scene;
+  scene.rods.resize(2);
+  for (int n = 0; n < 2; n++) scene.rods[n].position = {0.01, 0.2 * n, 0.00499};
+  scene.rods[0].length = 0.04;
+  scene.files["sheet.stl"] =
+      stl(tiled({{-0.5, -0.5, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, 3, 3));
+  scene.physics =
+      kMaterial + mesh_fix("sheet", "sheet.stl") + mesh_wall("wall", kModels, {"sheet"}) + kMotion;
+  const double pushed = 2e5 * 1e-5;  // kn overlap, at each end
+  // Moves of the first rod: how, and its force after them.
+  const struct {
+    std::string command;
+    double force;
+  } moves[] = {{"displace_atoms one move 0.0 0.0 -0.15\n", 0.0},
+               {"displace_atoms one move 0.0 0.0 -0.00998\n", -2.0 * pushed},
+               {"set group one z -0.15\n", 0.0},
+               {"displace_atoms one move 0.2 0.0 0.0\n", 2.0 * pushed},
+               {"displace_atoms one move 0.0 0.0 -0.001\n", 2.0 * (pushed + 2e5 * 1e-3)}};
+  for (const auto &[command, force] : moves)
+    for (const char *words : {"", " pre no"}) {
+      const DeckFolder folder;
+      const Outcome outcome = run_deck(folder, scene,
+                                       "group one id 1\n" + exact_dump("dump.f", 1, "id fz") +
+                                           "run 1\n" + command + "run 1" + words + "\n");
+      ASSERT_EQ(outcome.exit_code, 0) << command << outcome.output;
+      const auto rows = read_dump(folder / "dump.f").back().atoms.rows;
+      EXPECT_NEAR(rows[0][1], force, 0.05 * (2.0 * pushed) + 0.001 * std::fabs(force))
+          << command << words;
+      EXPECT_NEAR(rows[1][1], 2.0 * pushed, 0.1 * pushed) << command << words;
+    }
+}
+
+// A second run is one that goes on from a restart file, to the last bit.
+TEST(MeshWalls, GoOnInTheNextRunAsFromARestart)
+{
+  Scene scene = box_scene(box_walls());
+  scene.boundary = "p p f";
+  for (int d = 0; d < 2; d++) {
+    scene.box_lo[d] = -0.15;
+    scene.box_hi[d] = 0.15;
+  }
+  scene.files["floor.stl"] =
+      stl(tiled({{-0.15, -0.15, -0.14}, {0.3, 0.0, 0.0}, {0.0, 0.3, 0.0}}, 2, 2));
+  scene.files["lid.stl"] =
+      stl(tiled({{-0.15, -0.15, 0.14}, {0.3, 0.0, 0.0}, {0.0, 0.3, 0.0}}, 2, 2));
+  const std::string physics = linear_material(2e5, 1.2e5, 0.6, 0.3) + rod_pair(kModels) +
+                              mesh_fix("floor", "floor.stl") + mesh_fix("lid", "lid.stl") +
+                              mesh_wall("walls", kModels, {"floor", "lid"}) + kWeight + kMotion;
+  scene.physics = physics;
+  const std::string dump =
+      "compute contacts all contact/spherocylinder\n" + exact_dump("dump.end", 4000, kFrameColumns);
+  const auto end = [&](const std::string &commands) {
+    const DeckFolder folder;
+    const Outcome outcome = run_deck(folder, scene, commands);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    if (commands.find("write_restart") != std::string::npos) {
+      folder.write("in.on", preamble(scene) + "read_restart at.2000\n" +
+                                fmt::format("neighbor {} bin\nneigh_modify delay 0\ntimestep {}\n",
+                                            scene.skin, scene.dt) +
+                                physics + dump + "run 2000\n");
+      const Outcome on = folder.run("in.on", {Program::Lmp, 1, 60});
+      EXPECT_EQ(on.exit_code, 0) << on.output;
+    }
+    return read_dump(folder / "dump.end").back().atoms.rows;
+  };
+  EXPECT_EQ(end(dump + "run 2000\nrun 2000\n"), end("run 2000\nwrite_restart at.2000\n"));
 }
 
 // Six sheets as six meshes of one wall, or with planes in the place of four of them, are one box.
