@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "contacts/contact_observer.h"
@@ -24,6 +25,14 @@ class ContactState {
                      observers_.end());
   }
   const ContactObservers &observers() const { return observers_; }
+
+  // Of the pair style that a restart file held, until another takes its contacts over: the models' hash code
+  // and values of a contact.
+  struct Restarted {
+    int64_t hashcode = 0;
+    int values = 0;
+  };
+  Restarted restarted;
 
   SuddenOverlaps *sudden_overlaps = nullptr;  // the pair style's, set by it; null without one
 

@@ -89,6 +89,7 @@ void GranularPairSpherocylinder::init_granular()
   monitor_ = &rods.attached<ContactMonitor>();
   state_ = &rods.attached<ContactState>();
   if (laws_.keywords().all_ghosts) rods.ghosts().send_all_for("ghosts all");
+  check_models_are_restarted_ones(rods.attached<ContactState>().restarted);
   close_pairs_.reset(*parent_, laws_.keywords().close_skin);
   auto &lists = rods.attached<ListsInUse>();
   lists.counts = &close_pairs_.counts();
@@ -111,6 +112,22 @@ void GranularPairSpherocylinder::read_restart_settings(FILE *file, int64_t hash)
   if (comm->me == 0 && (hash != -1 ? hash : stored) != laws_.models().hashcode())
     error->one(FLERR, "Pair gran: restart file was written with other contact models");
   laws_.models().set_up_history();  // as long as the stored one, until init_granular
+  if (auto *rods = dynamic_cast<AtomVecSpherocylinder *>(atom->avec))
+    rods->attached<ContactState>().restarted = {laws_.models().hashcode(),
+                                                laws_.models().layout().values()};
+}
+
+// The models' values are known by their places alone, of which other models may have as many.
+void GranularPairSpherocylinder::check_models_are_restarted_ones(ContactState::Restarted &restarted)
+{
+  const int values = laws_.models().layout().values();
+  if (restarted.values > 0 && values > 0 && restarted.hashcode != laws_.models().hashcode())
+    rod_error_all(
+        lmp,
+        "Pair gran with surface spherocylinder: the restart file holds contacts of other "
+        "contact models, of %d values each (got models with %d; expected the same models)",
+        restarted.values, values);
+  restarted = {};
 }
 
 void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool migrated,

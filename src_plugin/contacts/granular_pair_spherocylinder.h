@@ -7,6 +7,7 @@
 
 #include "contacts/contact_laws.h"
 #include "contacts/contact_monitor.h"
+#include "contacts/contact_state.h"
 #include "contacts/false_histories.h"
 #include "contacts/gather_pairs.h"
 #include "contacts/scatter.h"
@@ -16,8 +17,6 @@
 #include "lists/touching_rod_pairs.h"
 
 namespace LAMMPS_NS {
-
-class ContactState;
 
 // What the stock pair_style gran runs for rods: from the lists to touching pairs, batches of contacts,
 // their law, and forces.
@@ -69,6 +68,7 @@ class GranularPairSpherocylinder : private Pointers,
   SuddenOverlaps sudden_overlaps_;
 
   void use_search();
+  void check_models_are_restarted_ones(ContactState::Restarted &restarted);
   void bring_pairs_up_to_date(PairGran &pair, bool migrated, bool run_begins);
   void find_touching(PairGran &pair, const PairHistories &histories, bool may_be_false);
   void end_contacts(int piece, int thread, const PairHistories &histories);

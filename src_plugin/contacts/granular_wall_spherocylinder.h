@@ -45,6 +45,7 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
                            const RodsNearMesh &rods, bool is_new,
                            MeshHistories &histories) override;
   int history_values() override { return laws_.models().layout().values(); }
+  int64_t hashcode() override { return laws_.models().hashcode(); }
 
   // For the loop of LIGGGHTS's own fix, which the rods' fix does not run.
   void compute_force(FixWallGran *, LIGGGHTS::ContactModels::SurfacesIntersectData &, bool,

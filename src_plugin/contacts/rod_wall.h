@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "contacts/mesh_histories.h"
@@ -29,6 +30,8 @@ class RodWall : public LIGGGHTS::Walls::IGranularWall {
 
   // Values that the models keep of one contact.
   virtual int history_values() = 0;
+  // Of the combination of models: LIGGGHTS's.
+  virtual int64_t hashcode() = 0;
 };
 
 }  // namespace LAMMPS_NS

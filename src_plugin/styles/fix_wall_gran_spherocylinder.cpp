@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -33,6 +34,9 @@ namespace {
 // moving ones half before it lists them anew.
 constexpr double kUsedOfSkin = 0.4;
 
+// Of what_is_kept(), before those of meshes.
+constexpr int kModelsNumbers = 4;
+
 FixNeighlistMeshSpherocylinder *list_of(const MeshSurface &mesh)
 {
   return dynamic_cast<FixNeighlistMeshSpherocylinder *>(mesh.fix().meshNeighlist());
@@ -59,8 +63,8 @@ FixWallGranSpherocylinder::FixWallGranSpherocylinder(LAMMPS *lmp, WallArguments 
   if (arguments_.turns && !primitiveWall_)
     rod_error_all(lmp, "Fix wall/gran (id %s): turn is for a plane (got no primitive wall)", id);
   arguments_.others.clear();  // the deck's line is not kept
-  restart_global = has_variable() || is_mesh_wall();
   rod_wall_ = dynamic_cast<RodWall *>(impl);
+  restart_global = has_variable() || is_mesh_wall() || history_values() > 0;
   begin_meshes();
   if (!primitiveWall_) return;
   const double radius = wall_parameters(*primitiveWall_)[0];
@@ -194,7 +198,7 @@ void FixWallGranSpherocylinder::move_wall()
 void FixWallGranSpherocylinder::write_restart(FILE *file)
 {
   if (comm->me != 0) return;
-  std::vector<double> state = size_of_meshes();
+  std::vector<double> state = what_is_kept();
   state.insert(state.end(), {place_, speed_, static_cast<double>(place_step_)});
   const int size = static_cast<int>(state.size() * sizeof(double));
   fwrite(&size, sizeof(int), 1, file);
@@ -205,8 +209,11 @@ void FixWallGranSpherocylinder::write_restart(FILE *file)
 void FixWallGranSpherocylinder::restart(char *state)
 {
   const double *values = reinterpret_cast<const double *>(state);
-  const size_t sizes = 2 + 2 * static_cast<size_t>(values[0]);
-  if (is_mesh_wall() && values[0] > 0.0) kept_meshes_.assign(values, values + sizes);
+  const size_t sizes = kModelsNumbers + 2 * static_cast<size_t>(values[0]);
+  const bool was_mesh_wall = values[0] > 0.0;
+  if (is_mesh_wall() && was_mesh_wall) kept_.assign(values, values + sizes);
+  const bool both_keep_values = values[1] > 0.0 && history_values() > 0;
+  if (primitiveWall_ && !was_mesh_wall && both_keep_values) check_models_are_kept_ones(values);
   if (!has_variable()) return;
   place_ = values[sizes];
   speed_ = values[sizes + 1];
@@ -371,46 +378,64 @@ void FixWallGranSpherocylinder::post_create()
   }
 }
 
-// How many meshes, values of a contact, and of each mesh triangles and area (m^2).
-std::vector<double> FixWallGranSpherocylinder::size_of_meshes() const
+// How many meshes, values of a contact, the models' hash code in two halves, which doubles hold whatever it
+// is, and of each mesh triangles and area (m^2).
+std::vector<double> FixWallGranSpherocylinder::what_is_kept() const
 {
-  std::vector<double> size = {static_cast<double>(meshes_.size()),
-                              static_cast<double>(mesh_histories_.values())};
+  const uint64_t code = rod_wall_ ? static_cast<uint64_t>(rod_wall_->hashcode()) : 0;
+  std::vector<double> kept = {
+      static_cast<double>(meshes_.size()), static_cast<double>(history_values()),
+      static_cast<double>(code >> 32), static_cast<double>(code & 0xffffffffu)};
   for (const WallMesh &mesh : meshes_) {
     TriMesh &triangles = *mesh.surface.fix().triMesh();
-    size.push_back(triangles.sizeGlobal());
-    size.push_back(triangles.areaMeshGlobal());
+    kept.push_back(triangles.sizeGlobal());
+    kept.push_back(triangles.areaMeshGlobal());
   }
-  return size;
+  return kept;
 }
 
-// Contacts that were read know triangles by their numbers, and the models' values by their places. Asked
-// once, when LIGGGHTS has spread the meshes over the ranks.
+// The models' values are known by their places alone, of which other models may have as many.
+void FixWallGranSpherocylinder::check_models_are_kept_ones(const double *kept)
+{
+  const std::vector<double> now = what_is_kept();
+  if (now[1] != kept[1])
+    rod_error_all(
+        lmp,
+        "Fix wall/gran (id %s): the restart file holds contacts of %g values (got contact "
+        "models with %g; expected the same ones, or another id)",
+        id, kept[1], now[1]);
+  if (kept[1] > 0.0 && !std::equal(now.begin() + 2, now.begin() + kModelsNumbers, kept + 2))
+    rod_error_all(
+        lmp,
+        "Fix wall/gran (id %s): the restart file holds contacts of other contact models, of "
+        "%g values each (got models with as many; expected the same models, or another id)",
+        id, kept[1]);
+}
+
+// Contacts that were read know triangles by their numbers. Asked once, when LIGGGHTS has spread the meshes
+// over the ranks.
 void FixWallGranSpherocylinder::check_meshes_are_kept_ones()
 {
   constexpr double kSameArea = 1e-6;  // of a mesh that has moved, relative
-  if (kept_meshes_.empty()) return;
-  const std::vector<double> size = size_of_meshes();
-  if (size[0] != kept_meshes_[0])
+  if (kept_.empty()) return;
+  const std::vector<double> size = what_is_kept();
+  if (size[0] != kept_[0])
     rod_error_all(lmp,
                   "Fix wall/gran (id %s): the restart file holds its contacts with %g meshes (got "
                   "%g; expected the same meshes and contact models, or another id)",
-                  id, kept_meshes_[0], size[0]);
-  if (size[1] != kept_meshes_[1])
-    rod_error_all(lmp,
-                  "Fix wall/gran (id %s): the restart file holds contacts of %g values (got contact "
-                  "models with %g; expected the same ones, or another id)",
-                  id, kept_meshes_[1], size[1]);
+                  id, kept_[0], size[0]);
+  check_models_are_kept_ones(kept_.data());
   for (size_t m = 0; m < meshes_.size(); m++) {
-    const double *now = &size[2 + 2 * m], *then = &kept_meshes_[2 + 2 * m];
+    const double *now = &size[kModelsNumbers + 2 * m], *then = &kept_[kModelsNumbers + 2 * m];
     if (now[0] != then[0] || std::fabs(now[1] - then[1]) > kSameArea * then[1])
-      rod_error_all(lmp,
-                    "Fix wall/gran (id %s): the restart file holds contacts with a mesh of %g "
-                    "triangles and an area of %g where mesh %s is (got %g and %g; expected the same "
-                    "mesh, or another id)",
-                    id, then[0], then[1], meshes_[m].surface.fix().id, now[0], now[1]);
+      rod_error_all(
+          lmp,
+          "Fix wall/gran (id %s): the restart file holds contacts with a mesh of %g "
+          "triangles and an area of %g where mesh %s is (got %g and %g; expected the same "
+          "mesh, or another id)",
+          id, then[0], then[1], meshes_[m].surface.fix().id, now[0], now[1]);
   }
-  kept_meshes_.clear();
+  kept_.clear();
 }
 
 int FixWallGranSpherocylinder::pack_restart(int rod, double *buffer)
@@ -423,7 +448,7 @@ int FixWallGranSpherocylinder::pack_restart(int rod, double *buffer)
 // models are refused before they are used.
 void FixWallGranSpherocylinder::unpack_restart(int rod, int nth)
 {
-  if (kept_meshes_.empty() || kept_meshes_[1] != mesh_histories_.values()) return;
+  if (kept_.empty() || kept_[1] != mesh_histories_.values()) return;
   const double *values = atom->extra[rod];
   for (int k = 0; k < nth; k++) values += static_cast<int>(values[0]);
   mesh_histories_.unpack(rod, values + 1);

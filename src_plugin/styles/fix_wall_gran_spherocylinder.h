@@ -21,8 +21,8 @@ class FixWallGranSpherocylinder : public FixWallGran {
  public:
   FixWallGranSpherocylinder(LAMMPS *lmp, int narg, char **arg);
   void init() override;
-  // Where a wall with a variable is, and how fast: the first forces of a continued run want its speed. Of
-  // mesh walls what contacts are kept of: they go on with the same meshes only.
+  // Where a wall with a variable is, and how fast: the first forces of a continued run want its speed. What
+  // contacts are kept of: they go on with the same models and meshes only.
   void write_restart(FILE *file) override;
   void restart(char *state) override;
 
@@ -67,7 +67,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
   std::vector<WallMesh> meshes_;
   MeshHistories mesh_histories_;
   bool meshes_may_be_others_ = true;  // LIGGGHTS has spread them over the ranks
-  std::vector<double> kept_meshes_;   // of the restart file: see size_of_meshes
+  std::vector<double> kept_;          // of the restart file: see what_is_kept
   // Of all ranks' rods, and of those that the meshes have met in this run: inserted ones have larger ids.
   int largest_id_ = 0, last_known_id_ = 0;
 
@@ -94,7 +94,8 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void forget_contacts_of_far_rods(double **history);
   void begin_meshes();
   void forget_false_contacts();
-  std::vector<double> size_of_meshes() const;
+  std::vector<double> what_is_kept() const;
+  void check_models_are_kept_ones(const double *kept);
   void check_meshes_are_kept_ones();
   void check_meshes_are_slow() const;
 };

@@ -169,3 +169,45 @@ INSTANTIATE_TEST_SUITE_P(, Histories,
                            return fmt::format("{}On{}", std::get<0>(info.param).name,
                                               std::get<1>(info.param));
                          });
+
+// Values of contacts are known by their places alone: those in a restart file are for the models that wrote it,
+// of pairs and of planes, whose other models may keep as many.
+TEST(RestartedContacts, AreOfTheSameModelsOnly)
+{
+  Scene scene;
+  scene.rods.resize(2);
+  for (int n = 0; n < 2; n++) scene.rods[n].position.z = 0.00499 + 0.00999 * n;
+  const std::string material =
+      linear_material(1e4, 5e3, 0.5, 0.3) +
+      "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
+      "fix s all property/global coefficientRollingViscousDamping peratomtypepair 1 0.1\n";
+  const std::string same = "linear tangential history";
+  const std::string other = "linear tangential off rolling_friction epsd2";
+  const auto physics = [&](const std::string &pair, const std::string &wall) {
+    return material + rod_pair(pair) + rod_wall("floor", wall, "type 1 zplane 0.0") +
+           "fix motion all nve/spherocylinder\nneighbor 0.01 bin\ntimestep 1e-6\n";
+  };
+  const DeckFolder folder;
+  folder.write("rods.data", data_file(scene));
+  folder.write("in.first", preamble(scene) + "read_data rods.data\n" + physics(same, same) +
+                               "run 10\nwrite_restart at.10\n");
+  ASSERT_EQ(folder.run("in.first").exit_code, 0);
+  const auto go_on = [&](const std::string &pair, const std::string &wall) {
+    folder.write("in.on",
+                 preamble(scene) + "read_restart at.10\n" + physics(pair, wall) + "run 10\n");
+    return folder.run("in.on");
+  };
+  EXPECT_EQ(go_on(same, same).exit_code, 0);
+  const Outcome pair = go_on(other, same), wall = go_on(same, other);
+  EXPECT_NE(pair.exit_code, 0);
+  EXPECT_NE(
+      pair.output.find("Pair gran with surface spherocylinder: the restart file holds contacts "
+                       "of other contact models"),
+      std::string::npos)
+      << pair.output;
+  EXPECT_NE(wall.exit_code, 0);
+  EXPECT_NE(wall.output.find("Fix wall/gran (id floor): the restart file holds contacts of other "
+                             "contact models"),
+            std::string::npos)
+      << wall.output;
+}

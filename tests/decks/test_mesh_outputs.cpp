@@ -190,6 +190,9 @@ TEST(MeshWalls, GoOnWithTheContactsOfTheSameMeshesOnly)
   EXPECT_EQ(go_on(walls_of("box.stl")).exit_code, 0);
   EXPECT_EQ(go_on(walls_of("finer.stl", "new")).exit_code, 0);
 
+  const std::string rolling =
+      "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
+      "fix s all property/global coefficientRollingViscousDamping peratomtypepair 1 0.1\n";
   const std::string same_mesh = "expected the same mesh, or another id";
   const std::pair<std::string, std::string> wrong[] = {
       {walls_of("finer.stl"),
@@ -203,7 +206,9 @@ TEST(MeshWalls, GoOnWithTheContactsOfTheSameMeshesOnly)
        "Fix wall/gran (id walls): the restart file holds its contacts with 1 meshes (got 2; expected "
        "the same meshes"},
       {walls_of("box.stl", "walls", "linear tangential no_history"),
-       "Fix wall/gran (id walls): the restart file holds contacts of "}};
+       "Fix wall/gran (id walls): the restart file holds contacts of "},
+      {rolling + walls_of("box.stl", "walls", "linear tangential off rolling_friction epsd2"),
+       "Fix wall/gran (id walls): the restart file holds contacts of other contact models"}};
   for (const auto &[walls, sentence] : wrong) {
     const Outcome outcome = go_on(walls);
     EXPECT_NE(outcome.exit_code, 0) << walls;
