@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rates of hoppers from their tables, the dynamic angle of a drum from its dump, the way of a vane.
 
-    ./measure.py hopper hopper_*.csv > hopper_rates.csv    # one of each orifice and pour
+    ./measure.py hopper hopper_*.csv > rates.csv    # one of each orifice and pour
     ./measure.py drum dump.drum
     ./measure.py vane vane.csv
 """
@@ -16,11 +16,16 @@ import numpy as np
 TIMESTEP = 2e-5  # s, of in.material
 
 
-def rows(path: Path) -> np.ndarray:
+def rows(path: Path, columns: int) -> np.ndarray:
     try:
-        return np.array(list(csv.reader(path.open()))[1:], float)
+        table = np.array(list(csv.reader(path.open()))[1:], float)
     except (OSError, ValueError) as wrong:
         sys.exit(f"measure.py: {path} is no table of numbers with a title line ({wrong})")
+    if not len(table):
+        sys.exit(f"measure.py: {path} holds no rows (wanted a table of {columns} columns below a title line)")
+    if table.shape[1] != columns:
+        sys.exit(f"measure.py: {path} has {table.shape[1]} columns (wanted {columns})")
+    return table
 
 
 def rate(table: np.ndarray, since: float, until: float) -> float:
@@ -36,7 +41,7 @@ def hopper(paths: list[Path], since: float, until: float) -> None:
     """Mean rates with the standard error over pours; below, D0 of rate^(2/5) = a (D - D0)."""
     rates: dict[float, list[float]] = {}
     for path in paths:
-        table = rows(path)
+        table = rows(path, 3)
         rates.setdefault(table[0, 0], []).append(rate(table, since, until))
     print("orifice/m,pours,rods/s,standard error")
     for orifice, found in sorted(rates.items()):
@@ -114,7 +119,7 @@ def drum(path: Path, since: float, parts: int) -> None:
 
 def vane(path: Path, rim: float = 0.02, speed: float = 0.01, gain: float = 1.0) -> None:
     """Angle (rad) that the servo's law gives: its rate goes by how far the torque is from the target."""
-    time, _, mean, target = rows(path).T
+    time, _, mean, target = rows(path, 4).T
     rates = np.clip(gain * (target - mean) / target, -1, 1) * speed / rim
     print(f"angle/rad\n{np.sum(rates * np.diff(time, prepend=0.0)):.4f}")
 
