@@ -78,12 +78,27 @@ def run(command: list, out=None) -> None:
         sys.exit(f"film.py: {Path(command[0]).name} ended with {done.returncode}, see above")
 
 
-def meshes_of(variables: list[str]) -> list[str]:
-    """The hopper's mesh has the orifice that its deck is told of."""
-    for flag, name, *values in zip(variables, variables[1:], variables[2:]):
-        if flag in ("-var", "-v") and name == "orifice":
-            return ["--orifice", values[0]]
-    return []
+def without_variables(words: list[str]) -> tuple[list[str], dict[str, str]]:
+    """What is for film.py, and what -var NAME VALUE sets in the deck."""
+    own, variables = [], {}
+    place = 0
+    while place < len(words):
+        if words[place] not in ("-var", "-v"):
+            own.append(words[place])
+            place += 1
+            continue
+        if len(words) < place + 3:
+            sys.exit(f"film.py: {words[place]} wants a name and a value (got '{' '.join(words[place + 1:])}')")
+        variables[words[place + 1]] = words[place + 2]
+        place += 3
+    if "out" in variables:
+        sys.exit(f"film.py: -var out is for runs alone: all files are here where film.py is called (got '{variables['out']}')")
+    return own, variables
+
+
+def meshes_of(variables: dict[str, str]) -> list[str]:
+    """The hopper's mesh has the orifice, the chute's the slope that its deck is told of."""
+    return [word for name in ("orifice", "slope") if name in variables for word in (f"--{name}", variables[name])]
 
 
 def frames_of(dump: Path):
@@ -117,7 +132,8 @@ def joined(pictures: list[Path], film: Path, rate: float, quality: int) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], allow_abbrev=False,
+                                     epilog="-var NAME VALUE, any number of times: a variable of the deck")
     parser.add_argument("deck", choices=sorted(VIEWS))
     parser.add_argument("--film", type=Path, help="default NAME.webp")
     parser.add_argument("--size", type=pixels, default="480x400", help="of the film, in pixels (default 480x400)")
@@ -128,7 +144,9 @@ def main() -> None:
     parser.add_argument("--picture-size", type=pixels, default="640x480")
     parser.add_argument("--lmp", help="the program (default build/release/lmp, else that on the path)")
     parser.add_argument("--rod_render", help="likewise")
-    wanted, variables = parser.parse_known_args()  # the rest, such as -var number 200, goes to the run
+    own, variables = without_variables(sys.argv[1:])
+    wanted, settings = parser.parse_known_args(own)  # the rest goes to the run, as do variables: -var number 200
+    settings += [word for name, value in variables.items() for word in ("-var", name, value)]
     film = wanted.film or Path(f"{wanted.deck}.webp")
     if film.suffix not in (".webp", ".gif", ".png", ".mp4", ".webm"):
         sys.exit(f"film.py: --film must end in .webp, .gif, .png, .mp4 or .webm (got '{film}')")
@@ -142,9 +160,9 @@ def main() -> None:
     dump = Path(f"dump.{wanted.deck}")
     if not dump.exists():
         run([sys.executable, HERE / "make_meshes.py", *meshes_of(variables)])
-        run([program("lmp", wanted.lmp), "-in", f"in.{wanted.deck}", *variables])
-    elif variables:
-        sys.exit(f"film.py: {' '.join(variables)} would go to the run, but {dump} is there already")
+        run([program("lmp", wanted.lmp), "-in", f"in.{wanted.deck}", *settings])
+    elif settings:
+        sys.exit(f"film.py: {' '.join(settings)} would go to the run, but {dump} is there already")
 
     view, part = VIEWS[wanted.deck]
     draw = [program("rod_render", wanted.rod_render)]
