@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Writes the meshes of these examples as STL files, named after what they are.
 
-    ./make_meshes.py [--facets 48] [--orifice 0.05] [--slope 30]
+    ./make_meshes.py [--facets 48] [--orifice 0.05] [--slope 30]    # facets: a multiple of the six lifters
 
 Lengths in m; both sides of a triangle are walls.
 """
@@ -10,6 +10,8 @@ import argparse
 from pathlib import Path
 
 import numpy as np
+
+LIFTERS = 6  # of the drum, each on an edge of its side
 
 
 def ring(radius: float, height: float, facets: int, turned: float = 0.0) -> np.ndarray:
@@ -90,7 +92,7 @@ def drum(facets: int, radius=0.1, length=0.1) -> list[np.ndarray]:
     return lying(between(front, back, round(length / side)))
 
 
-def drum_parts(facets: int, radius=0.1, length=0.1, lifters=6, lifter=0.015) -> list[np.ndarray]:
+def drum_parts(facets: int, radius=0.1, length=0.1, lifters=LIFTERS, lifter=0.015) -> list[np.ndarray]:
     """Its end plates, and lifters that stand on its side."""
     front, back = (ring(radius, z, facets) for z in (-length / 2, length / 2))
     triangles = disc(front) + disc(back)
@@ -178,8 +180,8 @@ def main() -> None:
     parser.add_argument("--orifice", type=float, default=0.05, help="of the hopper (m)")
     parser.add_argument("--slope", type=float, default=30, help="of the chute (degrees)")
     arguments = parser.parse_args()
-    if arguments.facets < 3:
-        parser.error(f"--facets must be >= 3 (got {arguments.facets})")
+    if arguments.facets < LIFTERS or arguments.facets % LIFTERS:
+        parser.error(f"--facets must be a multiple of {LIFTERS}, the number of lifters (got {arguments.facets})")
     if not 0 < arguments.orifice < 0.12:
         parser.error(f"--orifice must be > 0 and less than the hopper's width 0.12 (got {arguments.orifice:g})")
     if not 0 <= arguments.slope < 90:

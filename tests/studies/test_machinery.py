@@ -29,7 +29,7 @@ measure = program("measure")
 def test_hoppers_that_follow_beverloo(tmp_path, capsys):
     time = np.arange(0, 0.605, 0.01)
     paths = []
-    for orifice in (0.03, 0.04, 0.05):
+    for orifice in (0.03, 0.04, 0.05, 0.06):
         left = 1000 - 9e5 * (orifice - 0.012) ** 2.5 * time
         paths.append(tmp_path / f"{orifice}.csv")
         np.savetxt(paths[-1], np.stack([np.full(len(time), orifice), 0.6 + time, left], axis=1), delimiter=",",
@@ -38,6 +38,48 @@ def test_hoppers_that_follow_beverloo(tmp_path, capsys):
     printed = capsys.readouterr().out
     assert "0.05,1,253,nan" in printed  # 9e5 0.038^(5/2)
     assert "(D - 0.0120 m)" in printed
+
+
+# Its own output has the ending that a glob of tables has, and no rows yet.
+@pytest.mark.parametrize("what", ["hopper", "vane"])
+@pytest.mark.parametrize("text, told", [("", "holds no rows"), ("a,b,c\n", "holds no rows"),
+                                        ("a,b\n1,2\n", "has 2 columns (wanted")])
+def test_tables_without_rows(what, text, told, tmp_path):
+    path = tmp_path / "rates.csv"
+    path.write_text(text)
+    with pytest.raises(SystemExit, match=re.escape(f"{path} {told}")):
+        measure.hopper([path], 0.2, 0.5) if what == "hopper" else measure.vane(path)
+
+
+# A drum of facets that its lifters do not come out evenly on.
+@pytest.mark.parametrize("facets", [0, 3, 5, 7, 50])
+def test_facets_that_lifters_do_not_divide(facets, monkeypatch, capsys, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.argv", ["make_meshes.py", "--facets", str(facets)])
+    with pytest.raises(SystemExit):
+        program("make_meshes").main()
+    assert f"--facets must be a multiple of 6, the number of lifters (got {facets})" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("facets", [6, 12, 54])
+def test_a_drum_has_six_lifters(facets):
+    meshes = program("make_meshes")
+    assert len(meshes.drum_parts(facets)) == 2 * facets + 2 * 6
+
+
+# Variables may stand before the deck's name; those of meshes go to these too.
+def test_variables_of_films():
+    film = program("film")
+    own, variables = film.without_variables(
+        ["-var", "slope", "25", "chute", "--every", "1", "-v", "height", "-0.1", "-var", "orifice", "0.04"])
+    assert own == ["chute", "--every", "1"]
+    assert variables == {"slope": "25", "height": "-0.1", "orifice": "0.04"}
+    assert film.meshes_of(variables) == ["--orifice", "0.04", "--slope", "25"]
+    with pytest.raises(SystemExit, match="-var out is for runs alone.*got 'sub'"):
+        film.without_variables(["drum", "-var", "out", "sub"])
+    with pytest.raises(SystemExit, match="-var wants a name and a value"):
+        film.without_variables(["drum", "-var", "out"])
 
 
 # A drum that is full below a line.
