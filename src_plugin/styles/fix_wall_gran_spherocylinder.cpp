@@ -2,6 +2,7 @@
 #include "styles/fix_wall_gran_spherocylinder.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -9,6 +10,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "core/overlapping_facets.h"
 #include "domain.h"
 #include "fix_mesh_surface.h"
 #include "fix_property_atom.h"
@@ -501,6 +503,25 @@ void FixWallGranSpherocylinder::forget_false_contacts()
   }
 }
 
+// Of each mesh the triangle with the lowest number, by the rank that owns it.
+void FixWallGranSpherocylinder::warn_of_overlapping_facets()
+{
+  overlaps_are_told_ = true;
+  for (const WallMesh &mesh : meshes_) {
+    const MeshSurface &surface = mesh.surface;
+    const auto [triangle, within] = spherocylinder::find_overlapping_facets(
+        surface.surface(), surface.triangle_boxes(), surface.fix().triMesh()->sizeLocal());
+    int mine = triangle < 0 ? INT_MAX : surface.id(triangle), lowest = 0;
+    MPI_Allreduce(&mine, &lowest, 1, MPI_INT, MPI_MIN, world);
+    if (triangle >= 0 && mine == lowest)
+      rod_warning(
+          lmp,
+          "Fix wall/gran (id %s): a free edge of triangle %d of mesh %s lies within triangle "
+          "%d, which is in the same plane; where they overlap both bear, twice as stiff as one",
+          id, mine, surface.fix().id, surface.id(within));
+  }
+}
+
 void FixWallGranSpherocylinder::post_force_mesh(int vflag)
 {
   if (!rod_wall_) {
@@ -515,6 +536,7 @@ void FixWallGranSpherocylinder::post_force_mesh(int vflag)
   }
   meshes_may_be_others_ = false;
   check_meshes_are_kept_ones();
+  if (!overlaps_are_told_) warn_of_overlapping_facets();
   if (update->setupflag == 0) check_meshes_are_slow();  // else put there between runs
   // With `pre no` a run begins with its first step.
   if (update->setupflag || update->ntimestep == update->firststep + 1) forget_false_contacts();

@@ -66,6 +66,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
   };
   std::vector<WallMesh> meshes_;
   MeshHistories mesh_histories_;
+  bool overlaps_are_told_ = false;    // of facets, by the first step
   bool meshes_may_be_others_ = true;  // LIGGGHTS has spread them over the ranks
   std::vector<double> kept_;          // of the restart file: see what_is_kept
   // Of all ranks' rods, and of those that the meshes have met in this run: inserted ones have larger ids.
@@ -94,6 +95,7 @@ class FixWallGranSpherocylinder : public FixWallGran {
   void forget_contacts_of_far_rods(double **history);
   void begin_meshes();
   void forget_false_contacts();
+  void warn_of_overlapping_facets();
   std::vector<double> what_is_kept() const;
   void check_models_are_kept_ones(const double *kept);
   void check_meshes_are_kept_ones();

@@ -689,6 +689,39 @@ TEST(MeshInput, WarnsOfARodAcrossAFace)
   }
 }
 
+// A sheet on a part of another in its plane bears twice: one warning with both triangles. Sheets that meet edge to
+// edge, tiles of other sizes beside each other, and one above the other are nothing to tell of.
+TEST(MeshInput, WarnsOfSheetsThatOverlap)
+{
+  const Mesh sheet = tiled({{-0.5, -0.5, 0.0}, {0.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, 2, 3);
+  const struct {
+    Mesh more;
+    bool overlaps;
+  } cases[] = {{tiled({{-0.2, -0.2, 0.0}, {0.4, 0.0, 0.0}, {0.0, 0.4, 0.0}}, 1, 1), true},
+               {tiled({{0.0, -0.5, 0.0}, {0.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, 3, 7), false},
+               {tiled({{-0.2, -0.2, 0.001}, {0.4, 0.0, 0.0}, {0.0, 0.4, 0.0}}, 1, 1), false},
+               {tiled({{-0.2, -0.2, -0.2}, {0.4, 0.0, 0.4}, {0.0, 0.4, 0.0}}, 1, 1), false}};
+  for (const auto &[more, overlaps] : cases)
+    for (const int ranks : {1, 2}) {
+      Scene scene;
+      scene.rods = {Rod()};
+      scene.rods[0].position.z = 0.02;
+      Mesh mesh = sheet;
+      mesh.insert(mesh.end(), more.begin(), more.end());
+      scene.files["sheets.stl"] = stl(mesh);
+      scene.physics = kMaterial + mesh_fix("sheets", "sheets.stl") +
+                      mesh_wall("wall", kModels, {"sheets"}) + kMotion;
+      const DeckFolder folder;
+      const Outcome outcome = run_deck(folder, scene, "run 10\nrun 10\n",
+                                       ranks == 2 ? Mode::TwoRanks : Mode::OneRank, ranks);
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+      const std::string told = "Fix wall/gran (id wall): a free edge of triangle ";
+      const size_t at = outcome.output.find(told);
+      EXPECT_EQ(at != std::string::npos, overlaps) << outcome.output;
+      EXPECT_TRUE(!overlaps || outcome.output.find(told, at + 1) == std::string::npos);
+    }
+}
+
 // The wall needs its mesh: unfixing it alone is told, and so is a mesh that is named twice.
 TEST(MeshInput, TellsOfAMeshThatIsTakenAwayOrNamedTwice)
 {
