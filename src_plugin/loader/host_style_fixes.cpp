@@ -104,8 +104,9 @@ std::vector<HostStyle> fix_rows()
       refused("massflow/mesh/sieve",
               "it decides by the bounding sphere's diameter what passes; use fix massflow/mesh"),
       right("mesh/surface", "as a wall of fix wall/gran, a face for insertion or counting"),
-      right("mesh/surface/planar",
-            "as a face for insertion or counting; refused as a wall, for which there is mesh/surface"),
+      right(
+          "mesh/surface/planar",
+          "as a face for insertion or counting; refused as a wall, for which there is mesh/surface"),
       different("momentum",
                 "linear: right; angular: that of the centres' motion only, the rods' own "
                 "spin is left as it is, as with spheres"),
