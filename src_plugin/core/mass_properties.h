@@ -20,7 +20,11 @@ struct MassProperties {
 //   I_t = m_c (h^2/12 + r^2/4) + m_s (2 r^2/5 + h^2/4 + 3 h r/8)
 // where the last bracket is a hemisphere's own inertia moved from its centroid (3r/8 from the flat
 // face) to the rod's centre.
-MassProperties mass_properties(double diameter, double length, double density);
+//
+// `shared_ends`: of a segment of a fibre, whose hemisphere there lies in its neighbour's cylinder and is
+// left out, from 0 to 2. With one, what is left of m_s is spread over both ends: the centre of mass stays
+// the centre of the rod.
+MassProperties mass_properties(double diameter, double length, double density, int shared_ends = 0);
 
 // Angular velocity of a symmetric top from its angular momentum, both in the space frame; from the
 // reciprocals of its inertias.

@@ -36,6 +36,7 @@ bool RodPairList::is_listed(int i, int j) const
 {
   const int include = neighbor->includegroup;
   if (include && !(atom->mask[j] & group->bitmask[include])) return false;
+  if (fibres_ && fibres_->never_touch(i, j)) return false;
   return !has_exclusions(*neighbor) || !is_excluded(*neighbor, *atom, i, j);
 }
 
@@ -155,6 +156,8 @@ void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, bool m
   NeighList &list = *pair.list;
   const int owned = neighbor->includegroup ? atom->nfirst : atom->nlocal;
   near_.find(rods, owned, 0.0, pieces_of(owned));
+  const auto &fibres = rods_of(lmp, "Pair gran").attached<FibreSegments>();
+  fibres_ = fibres.rows ? &fibres : nullptr;
 
   // What LIGGGHTS has stored is asked for after it has migrated the rods, else the old list.
   std::swap(now_, before_);

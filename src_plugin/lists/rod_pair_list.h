@@ -9,6 +9,7 @@
 
 namespace LAMMPS_NS {
 
+class FibreSegments;
 class NeighList;
 class PairGran;
 
@@ -67,7 +68,8 @@ class RodPairList : protected Pointers {
   };
   Contents now_, before_;
   int pairs_ = 0, dnum_ = 0;
-  bool grown_ = false;  // the arrays, by some row
+  bool grown_ = false;                     // the arrays, by some row
+  const FibreSegments *fibres_ = nullptr;  // null without any
   Holders holders_;
   spherocylinder::NearPairs near_;
   std::vector<int> ghosts_, new_ghosts_;

@@ -23,6 +23,7 @@
 #include "parallel/far_rods.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "styles/fix_contact_history_spherocylinder.h"
+#include "styles/fix_fibres_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -55,7 +56,9 @@ Found found_by_any(LAMMPS *lmp, Found found)
 void check_rods_are_whole(LAMMPS *lmp, AtomVecSpherocylinder &rods)
 {
   const Atom *atom = lmp->atom;
+  const FibreSegments &fibres = rods.attached<FibreSegments>();
   for (int i = 0; i < atom->nlocal; i++) {
+    const int shared_ends = fibres.shared_ends(i);
     const double *shape = atom->shape[i];
     if (shape[0] == 0.0 || shape[2] == 0.0)
       rod_error_one(
@@ -63,8 +66,8 @@ void check_rods_are_whole(LAMMPS *lmp, AtomVecSpherocylinder &rods)
           "Atom style spherocylinder: rod %d, made by create_atoms, has no %s; give it by "
           "set ... diameter D length L density RHO",
           atom->tag[i], shape[0] == 0.0 ? "diameter" : "length");
-    const spherocylinder::MassProperties wanted =
-        spherocylinder::mass_properties(2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
+    const spherocylinder::MassProperties wanted = spherocylinder::mass_properties(
+        2.0 * shape[0], 2.0 * shape[2], atom->density[i], shared_ends);
     if (atom->radius[i] != shape[2] || differs(atom->volume[i], wanted.volume))
       rod_error_one(
           lmp,
@@ -73,7 +76,7 @@ void check_rods_are_whole(LAMMPS *lmp, AtomVecSpherocylinder &rods)
           "length L",
           atom->tag[i], 2.0 * shape[2], 2.0 * shape[0]);
     if (differs(atom->inertia[i][0], wanted.inertia_transverse))
-      rods.set_rod(i, 2.0 * shape[0], 2.0 * shape[2], atom->density[i]);
+      rods.set_rod(i, 2.0 * shape[0], 2.0 * shape[2], atom->density[i], shared_ends);
     else if (differs(atom->rmass[i], wanted.mass))
       rod_error_one(lmp,
                     "Atom style spherocylinder: rod %d has mass %g but its size and density %g "
@@ -146,6 +149,10 @@ void check_pairs_touch_once(LAMMPS *lmp)
 // LIGGGHTS may go on to make its lists anew, without contacts: histories first.
 void RunChecks::run_begins()
 {
+  if (!find_fibres(lmp_) && lmp_->modify->have_restart_data_style(FixFibresSpherocylinder::kStyle))
+    rod_error_all(lmp_,
+                  "Atom style spherocylinder: the restart file has fibres, but no fix holds them "
+                  "together (expected fix ID all joint/spherocylinder)");
   bring_histories_to_rods(lmp_);
   AtomVecSpherocylinder &rods =
       rods_of(lmp_, "Atom style spherocylinder cannot be part of another style: it");

@@ -30,9 +30,11 @@
 #include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_contact_history_spherocylinder.h"
 #include "styles/fix_external_spherocylinder.h"
+#include "styles/fix_fibres_spherocylinder.h"
 #include "styles/fix_freeze_spherocylinder.h"
 #include "styles/fix_heat_gran_spherocylinder.h"
 #include "styles/fix_insert_spherocylinder.h"
+#include "styles/fix_joint_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_mesh_surface_spherocylinder.h"
 #include "styles/fix_move_spherocylinder.h"
@@ -122,6 +124,8 @@ void add_styles(LAMMPS *lmp)
 #define FixStyle(key, Class) fixes[#key] = &create_fix<Class>;
 #include "styles/fix_balance.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
+#include "styles/fix_fibres_spherocylinder.h"
+#include "styles/fix_joint_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_nve_spherocylinder.h"
 #include "styles/fix_particletemplate_spherocylinder.h"
@@ -183,7 +187,8 @@ const char *banner()
   return "Sphero-cylinders for LIGGGHTS " SPHEROCYLINDER_VERSION
          ": atom_style spherocylinder, surface spherocylinder, model linear, "
          "fix nve/spherocylinder limit/omega check/timestep/spherocylinder "
-         "particletemplate/spherocylinder rest/spherocylinder balance, command balance, "
+         "particletemplate/spherocylinder rest/spherocylinder joint/spherocylinder balance, command "
+         "balance, "
          "compute erotate/spherocylinder contact/spherocylinder\n";
 }
 

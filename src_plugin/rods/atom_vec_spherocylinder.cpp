@@ -28,7 +28,7 @@ constexpr int kGrowBy = 1024;
 }  // namespace
 
 AtomVecSpherocylinder::AtomVecSpherocylinder(LAMMPS *lmp)
-    : AtomVec(lmp), attachments_(lmp), ghosts_(lmp)
+    : AtomVec(lmp), attachments_(lmp), fibres_(attached<FibreSegments>()), ghosts_(lmp)
 {
   molecular = 0;
   comm_x_only = 0;  // the orientation travels too
@@ -116,11 +116,13 @@ void AtomVecSpherocylinder::clear_bonus()
    the rod itself
 ------------------------------------------------------------------------- */
 
-void AtomVecSpherocylinder::set_rod(int i, double diameter, double total_length, double rod_density)
+void AtomVecSpherocylinder::set_rod(int i, double diameter, double total_length, double rod_density,
+                                    int shared_ends)
 {
   const bool is_whole = diameter > 0.0 && total_length > 0.0;
   const sc::MassProperties properties =
-      is_whole ? sc::mass_properties(diameter, total_length, rod_density) : sc::MassProperties{};
+      is_whole ? sc::mass_properties(diameter, total_length, rod_density, shared_ends)
+               : sc::MassProperties{};
   atom->radius[i] = 0.5 * total_length;
   atom->density[i] = rod_density;
   atom->rmass[i] = properties.mass;
@@ -338,6 +340,7 @@ void AtomVecSpherocylinder::create_atom(int itype, double *coord)
   sc::store(sc::Vec3{0.0, 0.0, 0.0}, atom->angmom[i]);
   sc::store(sc::Quaternion{1.0, 0.0, 0.0, 0.0}, quaternion_[i]);
   set_rod(i, 0.0, 0.0, 1.0);
+  fibres_.clear(i);
   atom->nlocal++;
 }
 

@@ -14,6 +14,7 @@ AtomStyle(spherocylinder, AtomVecSpherocylinder)
 #include "core/capsule.h"
 #include "core/rotation.h"
 #include "rods/attachments.h"
+#include "rods/fibre_segments.h"
 #include "rods/field_travel.h"
 #include "rods/needed_ghosts.h"
 #include "rods/rod_watcher.h"
@@ -70,8 +71,10 @@ class AtomVecSpherocylinder : public AtomVec {
   bigint memory_usage() override;
 
   // Size and density of rod i; sets everything that follows from them. A diameter or length of 0 is
-  // one not given yet: no mass, volume and inertia then.
-  void set_rod(int i, double diameter, double total_length, double rod_density);
+  // one not given yet: no mass, volume and inertia then. `shared_ends`: of a segment of a fibre, see
+  // core/mass_properties.h.
+  void set_rod(int i, double diameter, double total_length, double rod_density,
+               int shared_ends = 0);
 
   // Rod i as geometry (space frame, m), for owned and ghost rods.
   SPHEROCYLINDER_INLINE spherocylinder::Capsule capsule(int i) const
@@ -97,6 +100,7 @@ class AtomVecSpherocylinder : public AtomVec {
   // Of Atom's arrays, those that make up a capsule.
   double **x_ = nullptr, **quaternion_ = nullptr, **shape_ = nullptr;
   Attachments attachments_;
+  FibreSegments &fibres_;
   std::unique_ptr<RodWatcher> watcher_;
   NeededGhosts ghosts_;
 

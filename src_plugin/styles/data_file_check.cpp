@@ -8,10 +8,13 @@
 #include <cstdarg>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include "lmptype.h"
+#include "rods/fibre_segments.h"
 
 using namespace LAMMPS_NS;
 
@@ -26,8 +29,10 @@ constexpr double kAxisTolerance = 1e-5;
 constexpr const char *kAtomColumns =
     "id type diameter length density x y z ux uy uz, and perhaps three image flags";
 constexpr const char *kVelocityColumns = "id vx vy vz wx wy wz";
+constexpr const char *kFibreColumns =
+    "id fibre place, and as write_data writes it also ends q1 q2 q3 q4 bend_x bend_y twist";
 
-// Found by the innermost reader of a word, told by fault_of_data_file.
+// Found by the innermost reader of a word, told by look_through_data_file.
 struct Fault {
   std::string text;
 };
@@ -102,6 +107,7 @@ class DataFile {
 
   long line_number() const { return number_; }
   long atom() const { return atom_; }
+  bool has_fibres() const { return !lines_of_segments_.empty(); }
 
  private:
   FILE *file_;
@@ -109,9 +115,11 @@ class DataFile {
   std::string line_;
   long number_ = 0;  // of the line
   long atom_ = 0;    // whose line it is, 0 if none's
-  long rods_ = 0;
-  size_t columns_ = 0;
-  std::unordered_map<long, long> lines_of_atoms_, lines_of_velocities_;  // by id
+  long rods_ = 0, segments_ = 0;
+  size_t columns_ = 0, fibre_columns_ = 0;
+  std::unordered_map<long, long> lines_of_atoms_, lines_of_velocities_,
+      lines_of_segments_;                                  // by id
+  std::map<std::pair<long, long>, long> lines_of_places_;  // by fibre and place
 
   bool next_line()
   {
@@ -148,6 +156,8 @@ class DataFile {
       if (is_of_a_fix) continue;
       if (says("atoms")) {
         rods_ = integer(words[0], "the number of atoms", 0, LONG_MAX);
+      } else if (says("segments")) {
+        segments_ = integer(words[0], "the number of segments", 0, LONG_MAX);
       } else if (says("atom types")) {
         const long types = integer(words[0], "the number of atom types", 1, INT_MAX);
         if (!surroundings_.adds) surroundings_.types = static_cast<int>(types);
@@ -181,15 +191,20 @@ class DataFile {
   void read_section()
   {
     const std::string name = joined(words_of(line_));
-    if (name == "Atoms" || name == "Velocities") {
+    if (is_ours(name)) {
       if (next_line() && !words_of(line_).empty())
         fail("the line after %s must be blank (got %s)", name.c_str(), shortened(line_).c_str());
-      for (long k = 0; k < rods_; k++) {
+      const long lines = name == "Fibres" ? segments_ : rods_;
+      if (lines == 0 && name == "Fibres")
+        fail("the header must say how many lines the Fibres section has, such as 12 segments");
+      for (long k = 0; k < lines; k++) {
         if (!next_line())
-          fail("the file ends after %ld of %ld lines of the %s section", k, rods_, name.c_str());
+          fail("the file ends after %ld of %ld lines of the %s section", k, lines, name.c_str());
         const std::vector<std::string> words = words_of(line_);
         if (name == "Atoms")
           read_atom(words);
+        else if (name == "Fibres")
+          read_segment(words);
         else
           read_velocity(words);
       }
@@ -209,8 +224,13 @@ class DataFile {
     // As many lines as its reader wants: up to the next section of numbers that is ours.
     while (next_line()) {
       const std::string other = joined(words_of(line_));
-      if (other == "Atoms" || other == "Velocities") return read_section();
+      if (is_ours(other)) return read_section();
     }
+  }
+
+  static bool is_ours(const std::string &name)
+  {
+    return name == "Atoms" || name == "Velocities" || name == "Fibres";
   }
 
   static std::string joined(const std::vector<std::string> &words)
@@ -271,21 +291,59 @@ class DataFile {
     const char *const names[] = {"vx", "vy", "vz", "wx", "wy", "wz"};
     for (int k = 0; k < 6; k++) number(words[1 + k], names[k]);
   }
+
+  void read_segment(const std::vector<std::string> &words)
+  {
+    if (surroundings_.adds)
+      fail("a section Fibres cannot be added to rods that are there; use read_data without add");
+    if (words.empty()) fail("a line of the Fibres section must not be blank");
+    const long id = integer(words[0], "an atom's id", 1, INT_MAX - 1);
+    atom_ = id;
+    if (words.size() != 3 && words.size() != 11)
+      fail("%zu columns, wanted 3 or 11: %s", words.size(), kFibreColumns);
+    if (fibre_columns_ == 0) fibre_columns_ = words.size();
+    if (words.size() != fibre_columns_)
+      fail("%zu columns, wanted %zu as in the lines before", words.size(), fibre_columns_);
+    if (lines_of_atoms_.count(id) == 0) fail("no such id in the Atoms section");
+    const auto [earlier, is_new] = lines_of_segments_.emplace(id, number_);
+    if (!is_new) fail("its fibre has been given in line %ld already", earlier->second);
+    const long fibre = integer(words[1], "fibre", 1, INT_MAX - 1);
+    const long place = integer(words[2], "place", 1, INT_MAX - 1);
+    const auto [taken, is_free] = lines_of_places_.emplace(std::make_pair(fibre, place), number_);
+    if (!is_free)
+      fail(
+          "place %ld of fibre %ld has been given in line %ld already, a joint would be named twice",
+          place, fibre, taken->second);
+    if (words.size() == 3) return;
+    integer(words[3], "ends", 0, FibreSegments::kAllEnds);
+    const char *const names[] = {"q1", "q2", "q3", "q4", "bend_x", "bend_y", "twist"};
+    double squared = 0.0;
+    for (int k = 0; k < 7; k++) {
+      const double value = number(words[4 + k], names[k]);
+      if (k < 4) squared += value * value;
+    }
+    if (!(std::fabs(std::sqrt(squared) - 1.0) <= kAxisTolerance))
+      fail("q1 q2 q3 q4 must have length 1 within %g (got length %g)", kAxisTolerance,
+           std::sqrt(squared));
+  }
 };
 
 }  // namespace
 
-std::string LAMMPS_NS::fault_of_data_file(FILE *file, const DataFileSurroundings &surroundings)
+DataFileVerdict LAMMPS_NS::look_through_data_file(FILE *file,
+                                                  const DataFileSurroundings &surroundings)
 {
   DataFile data(file, surroundings);
+  std::string fault;
   try {
     data.check();
-  } catch (const Fault &fault) {
-    std::string where = "line " + std::to_string(data.line_number());
-    if (data.atom() > 0) where += ", atom " + std::to_string(data.atom());
-    return where + ": " + fault.text;
+    return {"", data.has_fibres()};
+  } catch (const Fault &found) {
+    fault = found.text;
   } catch (const std::out_of_range &) {
-    return "line " + std::to_string(data.line_number()) + ": too few numbers";
+    return {"line " + std::to_string(data.line_number()) + ": too few numbers", false};
   }
-  return "";
+  std::string where = "line " + std::to_string(data.line_number());
+  if (data.atom() > 0) where += ", atom " + std::to_string(data.atom());
+  return {where + ": " + fault, false};
 }

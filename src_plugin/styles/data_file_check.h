@@ -17,10 +17,15 @@ struct DataFileSurroundings {
   std::vector<std::string> fix_headers, fix_sections;  // that fixes read themselves
 };
 
+struct DataFileVerdict {
+  std::string fault;        // empty if there is none
+  bool has_fibres = false;  // a section Fibres
+};
+
 // The first thing that is wrong in a data file of rods, as "line 12, atom 3: x must be a number
-// (got abc)"; empty if nothing is. LIGGGHTS reads numbers by atof and atoi, which take a word for
+// (got abc)", and what is in it. LIGGGHTS reads numbers by atof and atoi, which take a word for
 // 0, and lines by their count. What LIGGGHTS itself refuses by name, such as an unknown section, is
 // left to it.
-std::string fault_of_data_file(FILE *file, const DataFileSurroundings &surroundings);
+DataFileVerdict look_through_data_file(FILE *file, const DataFileSurroundings &surroundings);
 
 }  // namespace LAMMPS_NS

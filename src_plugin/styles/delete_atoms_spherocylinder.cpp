@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "atom.h"
+#include "comm.h"
 #include "contacts/contact_state.h"
 #include "contacts/sudden_overlaps.h"
 #include "delete_atoms.h"
@@ -14,6 +15,7 @@
 #include "pair_gran.h"
 #include "parallel/from_all_ranks.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "styles/fibre_chains.h"
 #include "styles/fix_contact_history_spherocylinder.h"
 
 using namespace LAMMPS_NS;
@@ -85,4 +87,9 @@ void DeleteAtomsSpherocylinder::command(int narg, char **arg)
   auto &rods = static_cast<AtomVecSpherocylinder &>(*atom->avec);
   SuddenOverlaps *sudden_overlaps = rods.attached<ContactState>().sudden_overlaps;
   if (sudden_overlaps) sudden_overlaps->rename(new_id);
+  if (!rods.attached<FibreSegments>().rows) return;
+  const int cut = FibreChains(lmp, "Command delete_atoms").cut_lost_joints();
+  if (cut == 0 || comm->me != 0) return;
+  for (FILE *out : {screen, logfile})
+    if (out) fprintf(out, "  %d ends of fibres are free where a segment was\n", cut);
 }

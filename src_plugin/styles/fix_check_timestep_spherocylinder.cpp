@@ -12,7 +12,9 @@
 #include "force.h"
 #include "host/deck_numbers.h"
 #include "host/rod_error.h"
+#include "modify.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "styles/fix_joint_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -86,10 +88,13 @@ void FixCheckTimestepSpherocylinder::pre_force(int)
 void FixCheckTimestepSpherocylinder::end_of_step()
 {
   contacts()->leave(rates_);
+  const auto *joints = dynamic_cast<const FixJointSpherocylinder *>(
+      modify->find_fix_style_strict("joint/spherocylinder", 0));
   double local[3] = {0.0, 0.0, largest_surface_move()}, all[3];
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    local[0] = std::max(local[0], rates_.squared_frequency(i));
+    const double of_joints = joints ? joints->squared_frequency(i) : 0.0;
+    local[0] = std::max(local[0], rates_.squared_frequency(i) + of_joints);
     local[1] = std::max(local[1], static_cast<double>(rates_.contacts(i)));
   }
   MPI_Allreduce(local, all, 3, MPI_DOUBLE, MPI_MAX, world);
@@ -128,7 +133,7 @@ double FixCheckTimestepSpherocylinder::largest_surface_move() const
 }
 
 // 1: time step / stable step; 2: stable step (s); 3: most contacts of one rod; 4: largest move of a
-// rod's surface in one step over its diameter. 1 and 2 are 0 while nothing touches.
+// rod's surface in one step over its diameter. 1 and 2 are 0 while nothing touches and without joints.
 double FixCheckTimestepSpherocylinder::compute_vector(int n)
 {
   const double values[4] = {fraction_, stable_step_, most_contacts_, largest_move_};

@@ -3,13 +3,15 @@
 
 #include <cstdio>
 #include <cstring>
+#include <vector>
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "host/rod_error.h"
 #include "read_data.h"
-#include "styles/data_file_check.h"
+#include "styles/fibre_chains.h"
+#include "styles/fix_fibres_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -30,20 +32,44 @@ void ReadDataSpherocylinder::command(int narg, char **arg)
     const size_t star = file.find('*');
     if (narg == 2 && star != std::string::npos)
       file.replace(star, 1, std::to_string(update->ntimestep));
-    std::string fault;
-    if (comm->me == 0) fault = fault_of(file, narg, arg);
-    int size = static_cast<int>(fault.size());
+    DataFileVerdict verdict;
+    if (comm->me == 0) verdict = look_through(file, narg, arg);
+    std::string &fault = verdict.fault;
+    int size = static_cast<int>(fault.size()), has_fibres = verdict.has_fibres;
     MPI_Bcast(&size, 1, MPI_INT, 0, world);
+    MPI_Bcast(&has_fibres, 1, MPI_INT, 0, world);
     fault.resize(size);
     MPI_Bcast(fault.data(), size, MPI_CHAR, 0, world);
     if (size > 0)
       rod_error_all(lmp, "Command read_data: data file %s, %s", file.c_str(), fault.c_str());
+    if (has_fibres) return read_with_fibres(narg, arg);
   }
   ReadData(lmp).command(narg, arg);
 }
 
-// Empty, too, if the file cannot be opened: LIGGGHTS says so.
-std::string ReadDataSpherocylinder::fault_of(const std::string &file, int narg, char **arg) const
+// LIGGGHTS lets a fix read a section. Segments meet to within what printing six digits of centre and
+// axis costs.
+void ReadDataSpherocylinder::read_with_fibres(int narg, char **arg)
+{
+  constexpr double kMeet = 1e-3;
+  if (domain->box_exist)
+    rod_error_all(lmp, "Command read_data: a data file with a section Fibres makes the simulation "
+                       "box; there is one already");
+  fibres_of(lmp);
+  std::string words[] = {"fix", FixFibresSpherocylinder::kId, FixFibresSpherocylinder::kHeader,
+                         FixFibresSpherocylinder::kSection};
+  std::vector<char *> args(arg, arg + narg);
+  for (std::string &word : words) args.push_back(word.data());
+  ReadData(lmp).command(static_cast<int>(args.size()), args.data());
+  const int joints = FibreChains(lmp, "Command read_data").join_places(kMeet);
+  if (comm->me != 0 || joints == 0) return;
+  for (FILE *out : {screen, logfile})
+    if (out) fprintf(out, "  %d joints of fibres\n", joints);
+}
+
+// None, too, if the file cannot be opened: LIGGGHTS says so.
+DataFileVerdict ReadDataSpherocylinder::look_through(const std::string &file, int narg,
+                                                     char **arg) const
 {
   DataFileSurroundings surroundings;
   surroundings.adds = narg == 2 && strcmp(arg[1], "add") == 0;
@@ -65,11 +91,11 @@ std::string ReadDataSpherocylinder::fault_of(const std::string &file, int narg, 
   const bool is_compressed = ends_with(file, ".gz");
   FILE *stream =
       is_compressed ? popen(("gunzip -c '" + file + "'").c_str(), "r") : fopen(file.c_str(), "r");
-  if (!stream) return "";
-  std::string fault = fault_of_data_file(stream, surroundings);
+  if (!stream) return {};
+  DataFileVerdict verdict = look_through_data_file(stream, surroundings);
   if (is_compressed)
     pclose(stream);
   else
     fclose(stream);
-  return fault;
+  return verdict;
 }

@@ -13,6 +13,7 @@
 #include "modify.h"
 #include "pair_gran.h"
 #include "styles/fix_contact_history_spherocylinder.h"
+#include "styles/fix_fibres_spherocylinder.h"
 
 using namespace LAMMPS_NS;
 
@@ -31,6 +32,10 @@ void ReplicateRods::command(int narg, char **arg)
     rod_error_all(
         lmp, "Replicate must come after the first run (run 0 will do) when rods with contacts have "
              "been read from a restart file");
+  if (find_fibres(lmp))
+    rod_error_all(lmp,
+                  "Replicate: copies of fibres would have the fibre ids of their originals; join "
+                  "the copies instead (fix joint/spherocylinder ... join after replicate)");
   for (int k = 0; k < modify->nfix; k++) {
     const Fix *fix = modify->fix[k];
     if (strcmp(fix->style, "spring/self") == 0 || strcmp(fix->style, "store/state") == 0)

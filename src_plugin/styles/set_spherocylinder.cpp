@@ -243,7 +243,7 @@ void SetSpherocylinder::apply_size(const std::vector<Setting> &settings, int i)
         "Command set: length of rod %d is the total length and must be >= the diameter %g "
         "(got %g)",
         atom->tag[i], diameter, length);
-  rods_.set_rod(i, diameter, length, density);
+  rods_.set_rod(i, diameter, length, density, rods_.attached<FibreSegments>().shared_ends(i));
 }
 
 void SetSpherocylinder::apply_orientation(const Setting &setting, int i)

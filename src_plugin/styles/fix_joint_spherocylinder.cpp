@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "styles/fix_joint_spherocylinder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "atom.h"
+#include "comm.h"
+#include "core/numbers.h"
+#include "group.h"
+#include "host/deck_numbers.h"
+#include "host/rod_error.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "rods/atom_vec_spherocylinder.h"
+#include "rods/rod_driver.h"
+#include "rods/rod_threads.h"
+#include "styles/fibre_chains.h"
+#include "styles/fix_fibres_spherocylinder.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using namespace spherocylinder;
+
+namespace {
+
+using S = FibreSegments;
+
+// Of a thread: fewer joints are worked out sooner than others are told.
+constexpr int kFewestJoints = 50;
+
+JointChannels operator+(const JointChannels &a, const JointChannels &b)
+{
+  return {a.stretch + b.stretch, a.shear + b.shear, a.bend + b.bend, a.twist + b.twist};
+}
+
+double sum_of(const JointChannels &c) { return c.stretch + c.shear + c.bend + c.twist; }
+
+}  // namespace
+
+FixJointSpherocylinder::FixJointSpherocylinder(LAMMPS *lmp, int narg, char **arg)
+    : Fix(lmp, narg, arg), joints_(lmp)
+{
+  threads_ = &rods_of(lmp, "Fix joint/spherocylinder").attached<RodThreads>();
+  if (const Fix *other = modify->find_fix_style_strict(style, 0))
+    if (strcmp(other->id, id) != 0)
+      rod_error_all(
+          lmp,
+          "%s: fix %s (id %s) holds the joints already, a joint would be named twice; one "
+          "fix serves all fibres, with moduli by atom type",
+          name().c_str(), style, other->id);
+  parse(narg, arg);
+
+  virial_flag = 1;
+  scalar_flag = vector_flag = 1;
+  size_vector = 5;
+  global_freq = 1;
+  extscalar = extvector = 1;
+}
+
+std::string FixJointSpherocylinder::name() const
+{
+  return std::string("Fix ") + style + " (id " + id + ")";
+}
+
+void FixJointSpherocylinder::parse(int narg, char **arg)
+{
+  const std::string who = name();
+  bool has_modulus = false, has_curvature = false;
+  for (int k = 3; k < narg; k += 2) {
+    const std::string keyword = arg[k];
+    const char *word = k + 1 < narg ? arg[k + 1] : "nothing";
+    if (keyword == "rest") {
+      rest_ = strcmp(word, "present") == 0 ? Rest::Present : Rest::Straight;
+      if (rest_ == Rest::Straight && strcmp(word, "straight") != 0)
+        rod_error_all(lmp, "%s: rest must be straight or present (got %s)", who.c_str(), word);
+      continue;
+    }
+    struct Keyword {
+      const char *name;
+      double *value;
+      double least;
+      bool may_be_least;
+    };
+    constexpr double kAny = std::numeric_limits<double>::lowest();
+    double damping = 0.0;
+    const Keyword keywords[] = {{"youngsModulus", &youngs_modulus_, 0.0, false},
+                                {"poissonsRatio", &poissons_ratio_, -1.0, false},
+                                {"stretch_factor", &stretch_factor_, 0.0, false},
+                                {"bend_factor", &bend_factor_, 0.0, false},
+                                {"damping", &damping, 0.0, true},
+                                {"damping_stretch", &ratios_.stretch, 0.0, true},
+                                {"damping_shear", &ratios_.shear, 0.0, true},
+                                {"damping_bend", &ratios_.bend, 0.0, true},
+                                {"damping_twist", &ratios_.twist, 0.0, true},
+                                {"rest_curvature", &rest_curvature_, kAny, true},
+                                {"rest_twist", &rest_twist_, kAny, true},
+                                {"join", &join_, 0.0, false}};
+    const auto *found = std::find_if(std::begin(keywords), std::end(keywords),
+                                     [&](const Keyword &other) { return keyword == other.name; });
+    if (found == std::end(keywords))
+      rod_error_all(
+          lmp,
+          "%s: unknown keyword %s (expected youngsModulus, poissonsRatio, stretch_factor, "
+          "bend_factor, damping, damping_stretch, damping_shear, damping_bend, "
+          "damping_twist, rest, rest_curvature, rest_twist or join)",
+          who.c_str(), arg[k]);
+    const double value = deck_number(lmp, who, keyword, word);
+    if (found->may_be_least ? !(value >= found->least) : !(value > found->least))
+      rod_error_all(lmp, "%s: %s must be %s %g (got %s)", who.c_str(), arg[k],
+                    found->may_be_least ? ">=" : ">", found->least, word);
+    *found->value = value;
+    if (keyword == "damping") ratios_ = {damping, damping, damping, damping};
+    has_modulus = has_modulus || keyword == "youngsModulus";
+    has_poissons_ratio_ = has_poissons_ratio_ || keyword == "poissonsRatio";
+    has_curvature = has_curvature || keyword == "rest_curvature" || keyword == "rest_twist";
+  }
+  if (poissons_ratio_ > 0.5)
+    rod_error_all(lmp, "%s: poissonsRatio must be <= 0.5 (got %g)", who.c_str(), poissons_ratio_);
+  if (join_ > 0.5)
+    rod_error_all(lmp, "%s: join must be <= 0.5 diameters (got %g)", who.c_str(), join_);
+  if (has_curvature && rest_ == Rest::Present)
+    rod_error_all(lmp, "%s: rest present leaves no room for rest_curvature and rest_twist",
+                  who.c_str());
+}
+
+void FixJointSpherocylinder::post_create()
+{
+  fibres_of(lmp);
+  if (join_ == 0.0) return;
+  const int joints = FibreChains(lmp, name()).join_meeting_ends(groupbit, join_);
+  if (comm->me != 0) return;
+  for (FILE *out : {screen, logfile})
+    if (out) fprintf(out, "%s: %d joints where ends meet\n", name().c_str(), joints);
+}
+
+int FixJointSpherocylinder::setmask() { return POST_FORCE | THERMO_ENERGY; }
+
+bool FixJointSpherocylinder::is_damped() const { return sum_of(ratios_) > 0.0; }
+
+// By type, from the fix's line or, as LIGGGHTS's contact models, from fix property/global.
+std::vector<double> FixJointSpherocylinder::material(double value, bool is_given,
+                                                     const char *keyword,
+                                                     const char *property) const
+{
+  std::vector<double> values(atom->ntypes + 1, value);
+  if (is_given) return values;
+  Fix *fix =
+      modify->find_fix_property(property, "property/global", "peratomtype", 0, 0, style, false);
+  if (!fix)
+    rod_error_all(lmp,
+                  "%s: no %s is given; wanted the keyword or fix ID all property/global %s "
+                  "peratomtype ...",
+                  name().c_str(), keyword, property);
+  for (int type = 1; type <= atom->ntypes; type++)
+    values[type] = type <= fix->size_vector ? fix->compute_vector(type - 1) : none;
+  return values;
+}
+
+void FixJointSpherocylinder::init()
+{
+  const std::string who = name();
+  moduli_ = material(youngs_modulus_, youngs_modulus_ > 0.0, "youngsModulus", "youngsModulus");
+  ratios_of_types_ =
+      material(poissons_ratio_, has_poissons_ratio_, "poissonsRatio", "poissonsRatio");
+  if (is_damped() && !comm->ghost_velocity)
+    rod_error_all(lmp,
+                  "%s: damping needs the velocities of ghosts (expected communicate single vel "
+                  "yes)",
+                  who.c_str());
+  standing_groups_ = standing_groups(lmp);
+  FibreChains chains(lmp, who);
+  if (rest_ == Rest::Present)
+    chains.give_present_rest();
+  else
+    chains.give_rest(rest_curvature_, rest_twist_);
+  const auto &segments = rods_of(lmp, who.c_str()).attached<FibreSegments>();
+  check_group(segments);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!segments.is_segment(i)) continue;
+    const int type = atom->type[i];
+    if (!(moduli_[type] > 0.0))
+      rod_error_one(lmp, "%s: youngsModulus of atom type %d must be > 0 (got %g)", who.c_str(),
+                    type, moduli_[type]);
+    if (!(ratios_of_types_[type] > -1.0 && ratios_of_types_[type] <= 0.5))
+      rod_error_one(lmp, "%s: poissonsRatio of atom type %d must be > -1 and <= 0.5 (got %g)",
+                    who.c_str(), type, ratios_of_types_[type]);
+  }
+}
+
+// A fibre that the group cuts would be held in part.
+void FixJointSpherocylinder::check_group(const FibreSegments &segments) const
+{
+  int mine[2] = {0, 0}, all[2];
+  for (int i = 0; i < atom->nlocal; i++)
+    if (segments.is_segment(i) && !(atom->mask[i] & groupbit)) {
+      mine[0] = std::max(mine[0], atom->tag[i]);
+      mine[1] = std::max(mine[1], segments.fibre(i));
+    }
+  MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
+  if (all[0] == 0) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->tag[i] == all[0])
+      rod_error_one(
+          lmp,
+          "%s: rod %d of fibre %d is not in group %s, which would cut the fibre; wanted all "
+          "segments of all fibres in the group",
+          name().c_str(), all[0], segments.fibre(i), group->names[igroup]);
+  MPI_Barrier(world);
+}
+
+BeamHalf FixJointSpherocylinder::beam_half(int i) const
+{
+  const double *shape = atom->shape[i];
+  const int type = atom->type[i];
+  return {shape[0], shape[2] - shape[0], moduli_[type], ratios_of_types_[type]};
+}
+
+// What is held or driven does not give way.
+JointedMass FixJointSpherocylinder::jointed_mass(int i) const
+{
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const double half_length = atom->shape[i][2] - atom->shape[i][0];
+  if (atom->mask[i] & standing_groups_) return {kInfinite, kInfinite, kInfinite, half_length};
+  return {atom->rmass[i], atom->inertia[i][0], atom->inertia[i][2], half_length};
+}
+
+void FixJointSpherocylinder::renew()
+{
+  joints_.find(name().c_str());
+  const auto &segments = rods_of(lmp, style).attached<FibreSegments>();
+  const auto &joints = joints_.joints();
+  const size_t count = joints.size();
+  constants_.resize(count);
+  loads_.resize(count);
+  energies_.resize(count);
+  for (size_t k = 0; k < count; k++) {
+    const int i = joints[k].first, j = joints[k].second;
+    Constants &c = constants_[k];
+    c.stiffness = joint_stiffness(beam_half(i), beam_half(j));
+    c.stiffness.stretch *= stretch_factor_;
+    c.stiffness.shear *= stretch_factor_;
+    c.stiffness.bend *= bend_factor_;
+    c.stiffness.twist *= bend_factor_;
+    const bool gives_way = !(atom->mask[i] & atom->mask[j] & standing_groups_);
+    c.damping = is_damped() && gives_way
+                    ? damping_coefficients(ratios_, c.stiffness,
+                                           effective_masses(jointed_mass(i), jointed_mass(j)))
+                    : JointChannels{0.0, 0.0, 0.0, 0.0};
+    const double *row = segments.rows[i];
+    c.rest = {row[S::kBendX], row[S::kBendY], row[S::kTwist]};
+  }
+  find_frequencies();
+  seen_builds_ = neighbor->ncalls;
+  seen_rods_ = atom->nlocal + atom->nghost;
+}
+
+// A damper of ratio zeta of the pair has the ratio sqrt(2) zeta in the highest mode of equal rods, and
+// with velocities half a step old the step that is stable shrinks to sqrt(1 + zeta^2) - zeta of it.
+void FixJointSpherocylinder::find_frequencies()
+{
+  std::vector<JointChannels> sums(atom->nlocal, JointChannels{0.0, 0.0, 0.0, 0.0});
+  const auto &joints = joints_.joints();
+  for (size_t k = 0; k < joints.size(); k++)
+    for (const int i : {joints[k].first, joints[k].second})
+      if (i < atom->nlocal) sums[i] = sums[i] + constants_[k].stiffness;
+  const auto with_damping = [](double squared, double ratio) {
+    const double z = std::sqrt(2.0) * ratio, factor = std::sqrt(1.0 + z * z) + z;
+    return squared * factor * factor;
+  };
+  squared_frequency_.assign(atom->nlocal, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (sums[i].stretch == 0.0 || (atom->mask[i] & standing_groups_)) continue;
+    const JointChannels squared = squared_joint_frequencies(jointed_mass(i), sums[i]);
+    squared_frequency_[i] = std::max(
+        {with_damping(squared.stretch, ratios_.stretch), with_damping(squared.shear, ratios_.shear),
+         with_damping(squared.bend, ratios_.bend), with_damping(squared.twist, ratios_.twist)});
+  }
+}
+
+void FixJointSpherocylinder::setup(int vflag)
+{
+  renew();
+  post_force(vflag);
+}
+
+void FixJointSpherocylinder::compute_load(int k)
+{
+  const int i = joints_.joints()[k].first, j = joints_.joints()[k].second;
+  const Constants &c = constants_[k];
+  const JointedRod first = joints_.rod(i), second = joints_.rod(j);
+  const JointDeformation d = joint_deformation(first, second);
+  if (!(d.bend() < kLargestJointAngle && std::fabs(d.twist) < kLargestJointAngle))
+    rod_error_one(lmp,
+                  "%s: the joint of rods %d and %d is bent by %g and twisted by %g degrees; wanted "
+                  "less than 179 of either, where they can be told apart",
+                  name().c_str(), atom->tag[i], atom->tag[j], d.bend() * degrees,
+                  d.twist * degrees);
+  loads_[k] = elastic_load(first, second, d, c.stiffness, c.rest);
+  energies_[k] = joint_energies(d, c.stiffness, c.rest);
+  if (!is_damped()) return;
+  add_damping(first, {load(atom->v[i]), load(atom->omega[i])}, second,
+              {load(atom->v[j]), load(atom->omega[j])}, d, c.damping, loads_[k]);
+}
+
+// Joints are worked out by all threads, and added in their order by one.
+void FixJointSpherocylinder::post_force(int vflag)
+{
+  const bool has_new_lists = neighbor->ago == 0 && neighbor->ncalls != seen_builds_;
+  if (has_new_lists || seen_rods_ != atom->nlocal + atom->nghost) renew();
+  if (vflag) v_setup(vflag);
+  evflag = vflag != 0;
+  const auto &joints = joints_.joints();
+  threads_->run_over(static_cast<int>(joints.size()), kFewestJoints, [&](int begin, int end) {
+    for (int k = begin; k < end; k++) compute_load(k);
+  });
+
+  energy_ = {0.0, 0.0, 0.0, 0.0};
+  const int nlocal = atom->nlocal;
+  for (int k = 0; k < static_cast<int>(joints.size()); k++) {
+    const int i = joints[k].first, j = joints[k].second;
+    const JointLoad &load_k = loads_[k];
+    const Vec3 at_i = load_k.point - load(atom->x[i]), at_j = load_k.point - load(atom->x[j]);
+    if (i < nlocal) {
+      add_to(atom->f[i], load_k.force);
+      add_to(atom->torque[i], cross(at_i, load_k.force) + load_k.couple);
+      energy_ = energy_ + energies_[k];
+    }
+    if (j < nlocal) {
+      add_to(atom->f[j], -load_k.force);
+      add_to(atom->torque[j], -(cross(at_j, load_k.force) + load_k.couple));
+    }
+    if (evflag) tally(k);
+  }
+}
+
+void FixJointSpherocylinder::tally(int k)
+{
+  const int i = joints_.joints()[k].first, j = joints_.joints()[k].second;
+  const Vec3 d = load(atom->x[i]) - load(atom->x[j]), &f = loads_[k].force;
+  int owned[2], count = 0;
+  for (const int rod : {i, j})
+    if (rod < atom->nlocal) owned[count++] = rod;
+  double virial_of_joint[6] = {d.x * f.x, d.y * f.y, d.z * f.z, d.x * f.y, d.x * f.z, d.y * f.z};
+  v_tally(count, owned, 2.0, virial_of_joint);
+}
+
+double FixJointSpherocylinder::compute_scalar()
+{
+  const double mine = sum_of(energy_);
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+// 1 to 4: energy of stretch, shear, bend, twist (J); 5: joints
+double FixJointSpherocylinder::compute_vector(int n)
+{
+  double joints = 0.0;
+  for (const FibreJoints::Joint &joint : joints_.joints()) joints += joint.first < atom->nlocal;
+  const double mine[] = {energy_.stretch, energy_.shear, energy_.bend, energy_.twist, joints};
+  double all = 0.0;
+  MPI_Allreduce(&mine[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
