@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Wrong fibres: the program ends with one sentence that says who, what, the value seen and the one wanted.
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "deck_run.h"
+
+using namespace decks;
+
+namespace {
+
+// Three rods end to end along x, h = 0.02, and one beside them.
+const char *const kData = R"(a fibre
+
+4 atoms
+3 segments
+1 atom types
+-0.5 0.5 xlo xhi
+-0.5 0.5 ylo yhi
+-0.5 0.5 zlo zhi
+
+Atoms
+
+1 1 0.004 0.024 1000 0.00 0 0 1 0 0
+2 1 0.004 0.024 1000 0.02 0 0 1 0 0
+3 1 0.004 0.024 1000 0.04 0 0 1 0 0
+4 1 0.004 0.024 1000 0.20 0 0 0 1 0
+
+Fibres
+
+1 1 1
+2 1 2
+3 1 3
+)";
+
+const char *const kDeck = R"(atom_style spherocylinder
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+units si
+read_data rods.data
+neighbor 0.002 bin
+neigh_modify delay 0
+fix kn all property/global kn peratomtypepair 1 1e3
+fix kt all property/global kt peratomtypepair 1 1e3
+fix e all property/global coefficientRestitution peratomtypepair 1 0.5
+fix mu all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model linear tangential history surface spherocylinder
+pair_coeff * *
+fix joints all joint/spherocylinder youngsModulus 1e7 poissonsRatio 0.3 damping 0.1
+fix motion all nve/spherocylinder
+timestep 1e-5
+run 10
+)";
+
+struct Mistake {
+  const char *name;
+  bool in_data;
+  const char *find, *replace, *says;
+};
+
+void PrintTo(const Mistake &mistake, std::ostream *out) { *out << mistake.name; }
+
+class FibreInput : public testing::TestWithParam<Mistake> {};
+
+std::string edited(const char *text, const char *find, const char *replace)
+{
+  std::string result = text;
+  const size_t at = result.find(find);
+  EXPECT_NE(at, std::string::npos) << find;
+  return at == std::string::npos ? result : result.replace(at, std::string(find).size(), replace);
+}
+
+TEST(FibreDeck, RightOneRuns)
+{
+  const DeckFolder folder;
+  folder.write("rods.data", kData);
+  folder.write("in.fibre", kDeck);
+  const Outcome outcome = folder.run("in.fibre");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("2 joints of fibres"), std::string::npos);
+}
+
+TEST_P(FibreInput, EndsWithOneSentence)
+{
+  const Mistake &mistake = GetParam();
+  for (const int ranks : {1, 2}) {
+    const DeckFolder folder;
+    folder.write("rods.data",
+                 mistake.in_data ? edited(kData, mistake.find, mistake.replace) : kData);
+    folder.write("in.fibre",
+                 mistake.in_data ? kDeck : edited(kDeck, mistake.find, mistake.replace));
+    const Outcome outcome = folder.run("in.fibre", {Program::Lmp, ranks});
+    EXPECT_NE(outcome.exit_code, 0) << outcome.output;
+    EXPECT_LT(outcome.exit_code, 128) << outcome.output;
+    EXPECT_NE(outcome.output.find(mistake.says), std::string::npos) << outcome.output;
+  }
+}
+
+constexpr const char *kModuli = "youngsModulus 1e7 poissonsRatio 0.3 damping 0.1";
+
+INSTANTIATE_TEST_SUITE_P(
+    , FibreInput,
+    testing::Values(
+        // The data file.
+        Mistake{"SegmentOfNoAtom", true, "3 1 3\n", "7 1 3\n",
+                "line 22, atom 7: no such id in the Atoms section"},
+        Mistake{"AtomTwice", true, "3 1 3\n", "2 1 3\n",
+                "atom 2: its fibre has been given in line 21 already"},
+        Mistake{
+            "JointTwice", true, "3 1 3\n", "3 1 2\n",
+            "atom 3: place 2 of fibre 1 has been given in line 21 already, a joint would be named "
+            "twice"},
+        Mistake{"NoFibreId", true, "3 1 3\n", "3 0 3\n", "fibre must be an integer >= 1 (got 0)"},
+        Mistake{"NoPlace", true, "3 1 3\n", "3 1\n", "2 columns, wanted 3 or 11: id fibre place"},
+        Mistake{"NotAPlace", true, "3 1 3\n", "3 1 last\n",
+                "place must be an integer >= 1 (got last)"},
+        Mistake{"Gap", true, "3 1 3\n", "3 1 4\n",
+                "fibre 1 has no rod at place 3, the next is rod 3 at place 4; wanted places from 1 "
+                "without a gap"},
+        Mistake{"NoHeader", true, "3 segments\n", "",
+                "the header must say how many lines the Fibres section has"},
+        Mistake{"TooFewLines", true, "3 1 3\n", "",
+                "the file ends after 2 of 3 lines of the Fibres section"},
+        Mistake{
+            "DoNotMeet", true, "3 1 0.004 0.024 1000 0.04", "3 1 0.004 0.024 1000 0.041",
+            "rods 2 and 3, places 2 and 3 of fibre 1, do not meet: the nearest of their ends' centres "
+            "are 0.001 apart, wanted at most 4e-06 (0.001 diameters)"},
+        Mistake{"OtherDiameter", true, "3 1 0.004 0.024 1000 0.04 0 0",
+                "3 1 0.005 0.025 1000 0.04 0 0",
+                "rods 2 and 3 are joined and must have the same diameter (got 0.004 and 0.005)"},
+        Mistake{
+            "TooShort", true, "3 1 0.004 0.024 1000 0.04 0 0", "3 1 0.004 0.005 1000 0.0305 0 0",
+            "the joints of a segment must be at least its radius 0.002 apart (got 0.001 for rod "
+            "3)"},
+        Mistake{"Folded", true, "3 1 0.004 0.024 1000 0.04 0 0", "3 1 0.004 0.064 1000 0 0 0",
+                "rods 2 and 3 are folded onto each other at their joint"},
+        Mistake{"ElevenColumns", true, "3 1 3\n", "3 1 3 0 1 0 0 0 0 0 0\n",
+                "11 columns, wanted 3 as in the lines before"},
+        // The fix.
+        Mistake{"ZeroModulus", false, "youngsModulus 1e7", "youngsModulus 0",
+                "youngsModulus must be > 0 (got 0)"},
+        Mistake{"NegativeModulus", false, "youngsModulus 1e7", "youngsModulus -1e7",
+                "Fix joint/spherocylinder (id joints): youngsModulus must be > 0 (got -1e7)"},
+        Mistake{"NotANumber", false, "youngsModulus 1e7", "youngsModulus stiff",
+                "youngsModulus must be a number (got stiff)"},
+        Mistake{"PoissonsRatio", false, "poissonsRatio 0.3", "poissonsRatio 0.6",
+                "poissonsRatio must be <= 0.5 (got 0.6)"},
+        Mistake{"LowPoissonsRatio", false, "poissonsRatio 0.3", "poissonsRatio -1",
+                "poissonsRatio must be > -1 (got -1)"},
+        Mistake{"NoModulus", false, "youngsModulus 1e7 ", "",
+                "no youngsModulus is given; wanted the keyword or fix ID all property/global "
+                "youngsModulus peratomtype"},
+        Mistake{"ZeroModulusOfType", false, "fix joints all joint/spherocylinder youngsModulus 1e7",
+                "fix E all property/global youngsModulus peratomtype -5\n"
+                "fix joints all joint/spherocylinder",
+                "youngsModulus of atom type 1 must be > 0 (got -5)"},
+        Mistake{"ZeroBendFactor", false, kModuli,
+                "youngsModulus 1e7 poissonsRatio 0.3 bend_factor 0",
+                "bend_factor must be > 0 (got 0)"},
+        Mistake{"StretchFactor", false, kModuli,
+                "youngsModulus 1e7 poissonsRatio 0.3 stretch_factor -1",
+                "stretch_factor must be > 0 (got -1)"},
+        Mistake{"Damping", false, "damping 0.1", "damping -0.1", "damping must be >= 0 (got -0.1)"},
+        Mistake{"Keyword", false, "damping 0.1", "dampning 0.1", "unknown keyword dampning"},
+        Mistake{"NoValue", false, "damping 0.1", "damping",
+                "damping must be a number (got nothing)"},
+        Mistake{"Rest", false, "damping 0.1", "rest bent",
+                "rest must be straight or present (got bent)"},
+        Mistake{"RestTwice", false, "damping 0.1", "rest present rest_curvature 2",
+                "rest present leaves no room for rest_curvature and rest_twist"},
+        Mistake{"Join", false, "damping 0.1", "join 2", "join must be <= 0.5 diameters (got 2)"},
+        Mistake{
+            "TwoFixes", false, "fix motion",
+            "fix more all joint/spherocylinder youngsModulus 1e7 poissonsRatio 0.3\nfix motion",
+            "fix joint/spherocylinder (id joints) holds the joints already, a joint would be named "
+            "twice"},
+        Mistake{"CutByTheGroup", false, "fix joints all", "group some id 1 2 4\nfix joints some",
+                "rod 3 of fibre 1 is not in group some, which would cut the fibre"},
+        Mistake{"NoFix", false, "fix joints all", "#",
+                "3 rods are segments of fibres, but no fix holds them together"},
+        Mistake{"NoIntegrator", false, "fix motion all nve/spherocylinder", "",
+                "no integrator is defined, rods would not move (expected fix ID group "
+                "nve/spherocylinder)"},
+        Mistake{"NoGhostVelocities", false, "communicate single vel yes\nunits si",
+                "communicate single vel no\nunits si", "elocit"},
+        Mistake{"PulledApart", false, "run 10",
+                "displace_atoms all move 0 0 0\nset atom 3 x 0.2\nrun 10",
+                "the rod that rod 2, place 2 of fibre 1, is joined to at its head is not at hand"},
+        Mistake{"TimeStep", false, "timestep 1e-5\nrun 10",
+                "fix step all check/timestep/spherocylinder 1 0.5 error yes\ntimestep 4e-4\nrun 10",
+                "allowed is 0.5 of it"}),
+    [](const auto &info) { return std::string(info.param.name); });
+
+}  // namespace
