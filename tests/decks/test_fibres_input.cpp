@@ -100,6 +100,37 @@ TEST_P(FibreInput, EndsWithOneSentence)
   }
 }
 
+// Of the keyword join: what meets is joined, but not three ends at a point, nor two rods at both ends.
+TEST(FibreJoin, EndsWithOneSentence)
+{
+  const std::string start = R"(a star
+
+3 atoms
+1 atom types
+-0.5 0.5 xlo xhi
+-0.5 0.5 ylo yhi
+-0.5 0.5 zlo zhi
+
+Atoms
+
+1 1 0.004 0.024 1000 0.01 0 0 1 0 0
+)";
+  const struct {
+    const char *rods, *says;
+  } cases[] = {{"2 1 0.004 0.024 1000 0 0.01 0 0 1 0\n3 1 0.004 0.024 1000 0 0 0.01 0 0 1\n",
+                "meet within 1e-05 diameters; wanted two at a joint"},
+               {"2 1 0.004 0.024 1000 0.01 0 0 1 0 0\n3 1 0.004 0.024 1000 0 0.2 0 0 0 1\n",
+                "rods 1 and 2 meet at both their ends"}};
+  for (const auto &wrong : cases) {
+    const DeckFolder folder;
+    folder.write("rods.data", start + wrong.rods);
+    folder.write("in.fibre", edited(kDeck, "damping 0.1", "join 1e-5"));
+    const Outcome outcome = folder.run("in.fibre");
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_NE(outcome.output.find(wrong.says), std::string::npos) << outcome.output;
+  }
+}
+
 constexpr const char *kModuli = "youngsModulus 1e7 poissonsRatio 0.3 damping 0.1";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -107,12 +138,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // The data file.
         Mistake{"SegmentOfNoAtom", true, "3 1 3\n", "7 1 3\n",
-                "line 22, atom 7: no such id in the Atoms section"},
+                "line 21, atom 7: no such id in the Atoms section"},
         Mistake{"AtomTwice", true, "3 1 3\n", "2 1 3\n",
-                "atom 2: its fibre has been given in line 21 already"},
+                "atom 2: its fibre has been given in line 20 already"},
         Mistake{
             "JointTwice", true, "3 1 3\n", "3 1 2\n",
-            "atom 3: place 2 of fibre 1 has been given in line 21 already, a joint would be named "
+            "atom 3: place 2 of fibre 1 has been given in line 20 already, a joint would be named "
             "twice"},
         Mistake{"NoFibreId", true, "3 1 3\n", "3 0 3\n", "fibre must be an integer >= 1 (got 0)"},
         Mistake{"NoPlace", true, "3 1 3\n", "3 1\n", "2 columns, wanted 3 or 11: id fibre place"},
