@@ -31,7 +31,8 @@ std::vector<HostStyle> command_rows()
           "makes particles without a size, which a run refuses: set ... diameter D length L gives it; "
           "random takes its number for the seed, as with spheres"),
       row(kMap, "create_box", kRight, "no prism region"),
-      row(kMap, "delete_atoms", kRight, "of overlap: by the distance of centres"),
+      row(kMap, "delete_atoms", kRight,
+          "of overlap: by the distance of centres; of a segment: leaves two fibres"),
       row(kMap, "delete_bonds", kRefused, kNoBonds),
       row(kMap, "displace_atoms", kRight, "rotate turns axes and spins, too"),
       row(kMap, "info", kRight, ""),
@@ -46,7 +47,7 @@ std::vector<HostStyle> command_rows()
       row(kMap, "read_restart", kRight,
           "give pair_style and walls again, with surface spherocylinder"),
       row(kMap, "replicate", kRight,
-          "the copies' ids go on from the highest one; contacts across a periodic face begin anew"),
+          "the copies' ids go on from the highest one; contacts across a periodic face begin anew; not with fibres"),
       row(kMap, "rotate", kRefused,
           "it turns the centres and not the axes; use displace_atoms rotate"),
       row(kMap, "run", kRight,

@@ -200,6 +200,16 @@ TEST(FibreRanks, OneTwoAndFourAgree)
                difference_in_period(scene, one, run(scene, Mode::FourRanks)));
 }
 
+// Cuts that move with the rods send segments from rank to rank.
+TEST(FibreRanks, CutsThatMove)
+{
+  Scene scene = tangle();
+  const std::vector<Frame> one = run(scene);
+  scene.physics += "fix even all balance 100 1.05 shift xy 10 1.02\n";
+  expect_holds({"24 fibres, 4 ranks, cuts that move: place (m), axis", "same scene", 1e-10},
+               difference_in_period(scene, one, run(scene, Mode::FourRanks)));
+}
+
 // A joint has no history: to the last bit, on two ranks. Both go on from a new run.
 TEST(FibreRestart, GoesOnWithTheSameBits)
 {
@@ -223,6 +233,18 @@ TEST(FibreRestart, GoesOnWithTheSameBits)
   ASSERT_EQ(on.back().step, 1000);
   ASSERT_EQ(again.back().step, 1000);
   EXPECT_EQ(on.back().atoms.rows, again.back().atoms.rows);
+
+  // Without the fix the fibres of the file would fall apart.
+  std::string without = scene.physics;
+  without.erase(without.find("fix joints"),
+                without.find("fix motion") - without.find("fix joints"));
+  folder.write("in.without",
+               start + "read_restart half\nneighbor 0.002 bin\n" + without + "run 1\n");
+  const Outcome outcome = folder.run("in.without", {Program::Lmp, 2});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.output.find("the restart file has fibres, but no fix holds them together"),
+            std::string::npos)
+      << outcome.output;
 }
 
 // The same fibre in the middle and across a boundary.

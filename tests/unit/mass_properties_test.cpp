@@ -225,3 +225,24 @@ TEST(SymmetricTop, RotationalEnergy)
       }
     }
 }
+
+// Of a straight fibre the sum of all segments is one rod: volume, mass, surface and axial inertia in closed
+// form; with both ends shared a segment is a cylinder, I_t = m (h^2/12 + r^2/4).
+TEST(MassProperties, SharedEndsCountOnce)
+{
+  for (const double diameter : kDiameters)
+    for (const double h : {0.5, 1.0, 8.0}) {
+      const double r = 0.5 * diameter, length = h * diameter + diameter;
+      const MassProperties end = mass_properties(diameter, length, kDensity, 1);
+      const MassProperties inner = mass_properties(diameter, length, kDensity, 2);
+      const MassProperties whole =
+          mass_properties(diameter, 5.0 * h * diameter + diameter, kDensity);
+      expect_relative(2.0 * end.volume + 3.0 * inner.volume, whole.volume, 16 * kEpsilon, "volume");
+      expect_relative(2.0 * end.mass + 3.0 * inner.mass, whole.mass, 16 * kEpsilon, "mass");
+      expect_relative(2.0 * end.area + 3.0 * inner.area, whole.area, 16 * kEpsilon, "area");
+      expect_relative(2.0 * end.inertia_axial + 3.0 * inner.inertia_axial, whole.inertia_axial,
+                      16 * kEpsilon, "axial");
+      const double cylinder = h * h * diameter * diameter / 12.0 + 0.25 * r * r;
+      expect_relative(inner.inertia_transverse, inner.mass * cylinder, 16 * kEpsilon, "transverse");
+    }
+}
