@@ -21,29 +21,25 @@ Quaternion relative_orientation(const Quaternion &first, const Quaternion &secon
 // differences of nearly equal numbers would be left.
 constexpr double kSmallSine = 1e-3;
 
-struct BendFactors {
-  double sine, cosine;  // of half the angle
-  double by_sine;       // angle/sine: (x, y) of the quaternion times it is the bend
-  double slope;         // d(by_sine)/d(sine) = slope * sine, the cosine aside
-};
-
-BendFactors bend_factors(const Quaternion &q)
+void set_bend(const Quaternion &q, JointDeformation &d)
 {
   const double squared = q.x * q.x + q.y * q.y;
-  const double sine = std::sqrt(squared), cosine = std::sqrt(q.w * q.w + q.z * q.z);
+  d.bend_cosine = std::sqrt(q.w * q.w + q.z * q.z);
   if (squared >= kSmallSine) {
-    const double by_sine = 2.0 * std::atan2(sine, cosine) / sine;
-    return {sine, cosine, by_sine, (2.0 * cosine - by_sine) / squared};
+    const double sine = std::sqrt(squared);
+    d.bend_by_sine = 2.0 * std::atan2(sine, d.bend_cosine) / sine;
+    d.bend_slope = (2.0 * d.bend_cosine - d.bend_by_sine) / squared;
+  } else {
+    // Series of 2 asin(s)/s and of 2 sqrt(1 - s^2): the next terms are below 1e-16 of the first.
+    const double y = squared;
+    d.bend_by_sine =
+        2.0 + y * (1.0 / 3.0 + y * (3.0 / 20.0 + y * (5.0 / 56.0 + y * (35.0 / 576.0))));
+    d.bend_slope =
+        -(4.0 / 3.0 + y * (2.0 / 5.0 + y * (3.0 / 14.0 + y * (5.0 / 36.0 + y * (35.0 / 352.0)))));
   }
-  // Series of 2 asin(s)/s and of 2 sqrt(1 - s^2): the next terms are below 1e-16 of the first.
-  const double y = squared;
-  return {
-      sine, cosine,
-      2.0 + y * (1.0 / 3.0 + y * (3.0 / 20.0 + y * (5.0 / 56.0 + y * (35.0 / 576.0)))),
-      -(4.0 / 3.0 + y * (2.0 / 5.0 + y * (3.0 / 14.0 + y * (5.0 / 36.0 + y * (35.0 / 352.0)))))};
+  d.bend_x = d.bend_by_sine * q.x;
+  d.bend_y = d.bend_by_sine * q.y;
 }
-
-double twist_of(const Quaternion &q) { return 2.0 * std::atan2(q.z, q.w); }
 
 // Into (-pi, pi]: a twist beyond its rest state.
 double less_than_half_turn(double angle)
@@ -52,45 +48,46 @@ double less_than_half_turn(double angle)
 }
 
 // The couple on the first rod, space frame. A small turn w of the second rod, in the first's body frame,
-// changes its quaternion by dw = -w.v/2, dv = (q_w w + w x v)/2, v its vector part; the couple is the
-// derivative of the energy by w.
-Vec3 elastic_couple(const JointedRod &first, const JointedRod &second,
+// changes its quaternion (q, v) by dq = -w.v/2, dv = (q w + w x v)/2; the couple is the derivative of the
+// energy by w.
+Vec3 elastic_couple(const JointedRod &first, const JointDeformation &d,
                     const JointChannels &stiffness, const JointRest &rest)
 {
-  const Quaternion q = relative_orientation(first.orientation, second.orientation);
-  const BendFactors f = bend_factors(q);
-  const double excess_x = f.by_sine * q.x - rest.bend_x, excess_y = f.by_sine * q.y - rest.bend_y;
+  const Quaternion &q = d.relative;
+  const double excess_x = d.bend_x - rest.bend_x, excess_y = d.bend_y - rest.bend_y;
   const double along = excess_x * q.x + excess_y * q.y;
-  const double twist = less_than_half_turn(twist_of(q) - rest.twist);
-  const double cosine_squared = f.cosine * f.cosine;
+  const double twist = less_than_half_turn(d.twist - rest.twist);
+  const double inverse_cosine = 1.0 / d.bend_cosine;
 
-  const double by_cosine = -2.0 * stiffness.bend * along / f.cosine;
-  const double by_twist = 2.0 * stiffness.twist * twist / cosine_squared;
+  const double by_cosine = -2.0 * stiffness.bend * along * inverse_cosine;
+  const double by_twist = 2.0 * stiffness.twist * twist * inverse_cosine * inverse_cosine;
   const double by_w = by_cosine * q.w - by_twist * q.z;
-  const Vec3 by_v = {stiffness.bend * (f.by_sine * excess_x + along * f.slope * q.x),
-                     stiffness.bend * (f.by_sine * excess_y + along * f.slope * q.y),
+  const Vec3 by_v = {stiffness.bend * (d.bend_by_sine * excess_x + along * d.bend_slope * q.x),
+                     stiffness.bend * (d.bend_by_sine * excess_y + along * d.bend_slope * q.y),
                      by_cosine * q.z + by_twist * q.w};
   const Vec3 v = {q.x, q.y, q.z};
   return rotated(0.5 * (q.w * by_v + cross(v, by_v) - by_w * v), first.orientation);
 }
-
-Vec3 across(const Vec3 &a, const Vec3 &n) { return a - dot(a, n) * n; }
 
 }  // namespace
 
 JointDeformation joint_deformation(const JointedRod &first, const JointedRod &second)
 {
   JointDeformation d;
-  d.gap = second.tail() - first.head();
-  const Vec3 sum = first.axis() + second.axis();
-  d.mean = (1.0 / norm(sum)) * sum;
+  d.first_axis = first.axis();
+  d.second_axis = second.axis();
+  const Vec3 head = first.centre + first.half_length * d.first_axis;
+  const Vec3 tail = second.centre - second.half_length * d.second_axis;
+  const Vec3 sum = d.first_axis + d.second_axis;
+  d.gap = tail - head;
+  d.middle = 0.5 * (head + tail);
+  d.inverse_sum = 1.0 / norm(sum);
+  d.mean = d.inverse_sum * sum;
   d.stretch = dot(d.gap, d.mean);
-  d.shear = norm(across(d.gap, d.mean));
-  const Quaternion q = relative_orientation(first.orientation, second.orientation);
-  const double by_sine = bend_factors(q).by_sine;
-  d.bend_x = by_sine * q.x;
-  d.bend_y = by_sine * q.y;
-  d.twist = twist_of(q);
+  d.shear = d.gap - d.stretch * d.mean;
+  d.relative = relative_orientation(first.orientation, second.orientation);
+  set_bend(d.relative, d);
+  d.twist = 2.0 * std::atan2(d.relative.z, d.relative.w);
   return d;
 }
 
@@ -99,17 +96,15 @@ JointDeformation joint_deformation(const JointedRod &first, const JointedRod &se
 // the first rod feels G at its shared point and -a x D_across/|sum| by its turn, the second -G at its own
 // and -b x D_across/|sum|. Moved to the point midway, with u x G = -n x D, couples +-(b - a) x
 // D_across/(2 |sum|) are left.
-JointLoad elastic_load(const JointedRod &first, const JointedRod &second, const JointDeformation &d,
+JointLoad elastic_load(const JointedRod &first, const JointDeformation &d,
                        const JointChannels &stiffness, const JointRest &rest)
 {
-  const Vec3 a = first.axis(), b = second.axis();
   const double difference = (stiffness.stretch - stiffness.shear) * d.stretch;
-  const Vec3 turned_by = difference * across(d.gap, d.mean);
   JointLoad load;
-  load.point = 0.5 * (first.head() + second.tail());
+  load.point = d.middle;
   load.force = stiffness.shear * d.gap + difference * d.mean;
-  load.couple = (0.5 / norm(a + b)) * cross(b - a, turned_by) +
-                elastic_couple(first, second, stiffness, rest);
+  load.couple = (0.5 * d.inverse_sum * difference) * cross(d.second_axis - d.first_axis, d.shear) +
+                elastic_couple(first, d, stiffness, rest);
   return load;
 }
 
@@ -119,7 +114,7 @@ JointChannels joint_energies(const JointDeformation &d, const JointChannels &sti
   const double bend_x = d.bend_x - rest.bend_x, bend_y = d.bend_y - rest.bend_y;
   const double twist = less_than_half_turn(d.twist - rest.twist);
   return {0.5 * stiffness.stretch * d.stretch * d.stretch,
-          0.5 * stiffness.shear * d.shear * d.shear,
+          0.5 * stiffness.shear * norm_squared(d.shear),
           0.5 * stiffness.bend * (bend_x * bend_x + bend_y * bend_y),
           0.5 * stiffness.twist * twist * twist};
 }

@@ -41,10 +41,19 @@ struct JointDeformation {
   Vec3 gap;                      // u, space frame (m)
   Vec3 mean;                     // n
   double stretch;                // u.n (m); > 0: the points are apart
-  double shear;                  // |u - (u.n) n| (m)
+  Vec3 shear;                    // u - (u.n) n (m)
   double bend_x, bend_y, twist;  // rest not taken off (rad)
 
   double bend() const { return std::hypot(bend_x, bend_y); }  // between the axes (rad)
+
+  // What loads need beside.
+  Vec3 middle;                   // between the shared points
+  Vec3 first_axis, second_axis;  // of the rods
+  double inverse_sum;            // 1/|first_axis + second_axis|
+  Quaternion relative;           // of the second rod in the first's body frame, w >= 0
+  double bend_cosine;            // cos(|b|/2)
+  double bend_by_sine;           // |b|/sin(|b|/2): (x, y) of `relative` times it is the bend
+  double bend_slope;             // its derivative by s = sin(|b|/2) at fixed cosine, over s
 };
 
 JointDeformation joint_deformation(const JointedRod &first, const JointedRod &second);
@@ -66,9 +75,8 @@ struct JointLoad {
   }
 };
 
-JointLoad elastic_load(const JointedRod &first, const JointedRod &second,
-                       const JointDeformation &deformation, const JointChannels &stiffness,
-                       const JointRest &rest);
+JointLoad elastic_load(const JointedRod &first, const JointDeformation &deformation,
+                       const JointChannels &stiffness, const JointRest &rest);
 
 JointChannels joint_energies(const JointDeformation &deformation, const JointChannels &stiffness,
                              const JointRest &rest);

@@ -292,13 +292,15 @@ void FixJointSpherocylinder::compute_load(int k)
   const Constants &c = constants_[k];
   const JointedRod first = joints_.rod(i), second = joints_.rod(j);
   const JointDeformation d = joint_deformation(first, second);
-  if (!(d.bend() < kLargestJointAngle && std::fabs(d.twist) < kLargestJointAngle))
+  const double bend_squared = d.bend_x * d.bend_x + d.bend_y * d.bend_y;
+  if (!(bend_squared < kLargestJointAngle * kLargestJointAngle &&
+        std::fabs(d.twist) < kLargestJointAngle))
     rod_error_one(lmp,
                   "%s: the joint of rods %d and %d is bent by %g and twisted by %g degrees; wanted "
                   "less than 179 of either, where they can be told apart",
                   name().c_str(), atom->tag[i], atom->tag[j], d.bend() * degrees,
                   d.twist * degrees);
-  loads_[k] = elastic_load(first, second, d, c.stiffness, c.rest);
+  loads_[k] = elastic_load(first, d, c.stiffness, c.rest);
   energies_[k] = joint_energies(d, c.stiffness, c.rest);
   if (!is_damped()) return;
   add_damping(first, {load(atom->v[i]), load(atom->omega[i])}, second,

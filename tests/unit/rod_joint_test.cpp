@@ -96,7 +96,7 @@ TEST(RodJoint, ForceAndCoupleAreTheGradientOfTheEnergy)
                                        size * size * random.uniform(0.1, 1.0),
                                        size * size * random.uniform(0.1, 1.0)};
       const JointDeformation d = joint_deformation(pair.first, pair.second);
-      const JointLoad load = elastic_load(pair.first, pair.second, d, stiffness, rest);
+      const JointLoad load = elastic_load(pair.first, d, stiffness, rest);
       const Vec3 torques[] = {load.torque_on_first(pair.first), load.torque_on_second(pair.second)};
       const Vec3 forces[] = {load.force, -load.force};
       // Of the load, what it would be at a strain of one: an angle of 1 rad, a gap of one size.
@@ -132,7 +132,7 @@ TEST(RodJoint, MomentumAndAngularMomentumAreKept)
     const RodMotion motions[] = {{random.vector(1.0), random.vector(1.0)},
                                  {random.vector(1.0), random.vector(1.0)}};
     const JointDeformation d = joint_deformation(pair.first, pair.second);
-    JointLoad load = elastic_load(pair.first, pair.second, d, stiffness, random_rest(random));
+    JointLoad load = elastic_load(pair.first, d, stiffness, random_rest(random));
     add_damping(pair.first, motions[0], pair.second, motions[1], d, damping, load);
     const Vec3 about = random.vector(3.0);
     const Vec3 total =
@@ -160,10 +160,10 @@ TEST(RodJoint, RigidMotionChangesNothing)
                         rod.half_length};
     };
     const JointedRod first = carried(pair.first), second = carried(pair.second);
-    const JointLoad load = elastic_load(
-        pair.first, pair.second, joint_deformation(pair.first, pair.second), stiffness, rest);
+    const JointLoad load =
+        elastic_load(pair.first, joint_deformation(pair.first, pair.second), stiffness, rest);
     const JointDeformation d = joint_deformation(first, second);
-    const JointLoad other = elastic_load(first, second, d, stiffness, rest);
+    const JointLoad other = elastic_load(first, d, stiffness, rest);
     worst = std::max(worst, norm(other.force - rotated(load.force, q)));
     worst = std::max(worst, norm(other.couple - rotated(load.couple, q)));
     worst = std::max(worst, std::fabs(energy(first, second, stiffness, rest) -
@@ -206,8 +206,7 @@ TEST(RodJoint, SeriesMeetTheFormula)
   const auto couple_at = [](double bend) {
     JointedRod first{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}, 0.5}, second = first;
     second.orientation = turn({1.0, 0.0, 0.0}, bend);
-    return elastic_load(first, second, joint_deformation(first, second), {1.0, 1.0, 1.0, 1.0}, {})
-        .couple.x;
+    return elastic_load(first, joint_deformation(first, second), {1.0, 1.0, 1.0, 1.0}, {}).couple.x;
   };
   for (const double bend : {1e-12, 1e-6, 0.01, 0.0632, 0.0633, 0.07, 1.0, 3.0})
     EXPECT_NEAR(couple_at(bend) / bend, 1.0, 1e-14) << bend;
@@ -271,7 +270,7 @@ double energy_error(double dt, double time)
     for (size_t i = 0; i + 1 < chain.size(); i++) {
       const JointedRod &first = chain[i].pose, &second = chain[i + 1].pose;
       const JointDeformation d = joint_deformation(first, second);
-      const JointLoad load = elastic_load(first, second, d, k, {});
+      const JointLoad load = elastic_load(first, d, k, {});
       forces[i] = forces[i] + load.force;
       forces[i + 1] = forces[i + 1] - load.force;
       torques[i] = torques[i] + load.torque_on_first(first);
