@@ -152,8 +152,6 @@ void FibreChains::check_places() const
 
 void FibreChains::check_can_join(int k, int next) const
 {
-  // Radii that differ by more than what printing six digits costs.
-  constexpr double kSameRadius = 1e-5;
   const Rod &a = rods_[k], &b = rods_[next];
   if (std::fabs(a.radius - b.radius) > kSameRadius * a.radius)
     rod_error_all(lmp,

@@ -16,6 +16,9 @@ class FibreSegments;
 // result, each writes its own rods. Every function is called by all ranks; `who` begins its errors.
 class FibreChains : protected Pointers {
  public:
+  // Radii of neighbours may differ by what printing six digits costs.
+  static constexpr double kSameRadius = 1e-5;
+
   FibreChains(LAMMPS *lmp, std::string who);
 
   // Joins the segments that have a fibre and a place, but are not joined yet: those at places that follow

@@ -227,6 +227,16 @@ JointedMass FixJointSpherocylinder::jointed_mass(int i) const
   return {atom->rmass[i], atom->inertia[i][0], atom->inertia[i][2], half_length};
 }
 
+// Another command may have changed it since they were joined.
+void FixJointSpherocylinder::check_same_diameter(int i, int j) const
+{
+  const double a = 2.0 * atom->shape[i][0], b = 2.0 * atom->shape[j][0];
+  if (std::fabs(a - b) <= FibreChains::kSameRadius * a) return;
+  rod_error_one(lmp,
+                "%s: rods %d and %d are joined and must have the same diameter (got %g and %g)",
+                name().c_str(), atom->tag[i], atom->tag[j], a, b);
+}
+
 void FixJointSpherocylinder::renew()
 {
   joints_.find(name().c_str());
@@ -238,6 +248,7 @@ void FixJointSpherocylinder::renew()
   energies_.resize(count);
   for (size_t k = 0; k < count; k++) {
     const int i = joints[k].first, j = joints[k].second;
+    check_same_diameter(i, j);
     Constants &c = constants_[k];
     c.stiffness = joint_stiffness(beam_half(i), beam_half(j));
     c.stiffness.stretch *= stretch_factor_;

@@ -74,6 +74,7 @@ class FixJointSpherocylinder : public Fix {
   void check_group(const FibreSegments &segments) const;
   spherocylinder::BeamHalf beam_half(int i) const;
   spherocylinder::JointedMass jointed_mass(int i) const;
+  void check_same_diameter(int i, int j) const;
   void renew();
   void find_frequencies();
   void compute_load(int k);

@@ -221,6 +221,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"PulledApart", false, "run 10",
                 "displace_atoms all move 0 0 0\nset atom 3 x 0.2\nrun 10",
                 "the rod that rod 2, place 2 of fibre 1, is joined to at its head is not at hand"},
+        Mistake{"DiameterLater", false, "run 10", "set atom 3 diameter 0.005 length 0.025\nrun 10",
+                "rods 2 and 3 are joined and must have the same diameter (got 0.004 and 0.005)"},
         Mistake{"TimeStep", false, "timestep 1e-5\nrun 10",
                 "fix step all check/timestep/spherocylinder 1 0.5 error yes\ntimestep 4e-4\nrun 10",
                 "allowed is 0.5 of it"}),
