@@ -587,7 +587,10 @@ TEST(FibreVirial, IsForceTimesDistance)
   const double gap = 1e-4;
   for (const int ranks : {1, 2}) {
     const Table thermo =
-        numbers_of(scene, "pxx pyy pxy", fmt::format("set atom 2 x {}\n", 0.01 + gap), 0, ranks)
+        numbers_of(scene, "c_press[1] c_press[2] c_press[4]",
+                   fmt::format("set atom 2 x {}\ncompute press all pressure thermo_temp virial\n",
+                               0.01 + gap),
+                   0, ranks)
             .thermo;
     ASSERT_FALSE(thermo.rows.empty());
     const double force = fibre.stretch_stiffness() * gap;
