@@ -87,6 +87,12 @@ TEST_P(FibreStatics, OwnWeight)
   expect_holds({"Clamped fibre, 9 segments, own weight: deflection, relative",
                 "q L^4/8EI (1 - 1/(4n^2))^2 + cap + shear", 1e-6},
                std::fabs(-tip_of(rods.back()).y / (beam + rest) - 1.0));
+  // The same from the first joint on: L = n h, n = N - 1, q L^4/8EI (1 + 1/n)^2.
+  const double from_joint =
+      q * std::pow(joints * h, 4) / (8.0 * EI) * std::pow(1.0 + 1.0 / joints, 2);
+  expect_holds({"Fibre clamped at a joint, 8 segments, own weight: deflection, relative",
+                "q L^4/8EI (1 + 1/n)^2 + cap + shear", 1e-6},
+               std::fabs(-tip_of(rods.back()).y / (from_joint + rest) - 1.0));
 }
 
 // Axially: each joint is stretched by F/K_stretch.
@@ -184,6 +190,42 @@ TEST(FibreMoments, EndMomentMakesAnArc)
                std::fabs(reaction.energies.at(2) / energy - 1.0));
   expect_holds({"Fibre bent to an arc: force on the end x L/M", "none", 1e-8},
                norm(reaction.force) * 0.16 / moment);
+}
+
+// A force F at the outer end of the last rod, which no command of the host exerts: the last rod is held
+// where such a force would hold it, and the fibre must pull back with F at that end. Closed form: joint j of
+// n sees F (n + 1 - j) h and moves the end by as much each; L from the clamp, the first rod's centre (C, n =
+// N - 1/2) or the first joint (J, n = N - 1), to the outer end.
+TEST(FibreMoments, ForceAtTheOuterEnd)
+{
+  const Fibre fibre;
+  const int joints = fibre.segments - 1;
+  const double h = fibre.joint_distance, K = fibre.bend_stiffness();
+  const double force = 1e-5 * K / (h * joints * joints);
+  std::vector<Rod> rods = straight_rods(fibre, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+  double angle = 0.0;
+  for (int j = 1; j <= joints; j++) {
+    angle += force * (joints + 1 - j) * h / K;
+    rods[j].axis = {std::cos(angle), -std::sin(angle), 0.0};
+    rods[j].position = rods[j - 1].position + (0.5 * h) * (rods[j - 1].axis + rods[j].axis) +
+                       Vec3{0.0, -force / fibre.shear_stiffness(), 0.0};
+  }
+  const double sunk = -tip_of(rods.back()).y;
+  const Reaction reaction = between_clamps(fibre, rods);
+  ASSERT_EQ(reaction.rods.size(), rods.size());
+  const double EI = fibre.bending_rigidity(), shear = joints / fibre.shear_stiffness();
+  const double n_c = fibre.segments - 0.5, n_j = joints;
+  const double by_c = std::pow(n_c * h, 3) / (3.0 * EI) * (1.0 - 1.0 / (4.0 * n_c * n_c));
+  const double by_j =
+      std::pow(n_j * h, 3) / (3.0 * EI) * (1.0 + 1.0 / n_j) * (1.0 + 1.0 / (2.0 * n_j));
+  expect_holds({"Force at the outer end, clamp at the first centre: deflection/force, relative",
+                "L^3/3EI (1 - 1/(4n^2)) + joints/K_shear", 1e-6},
+               std::fabs(sunk / reaction.force.y / (by_c + shear) - 1.0));
+  expect_holds({"Force at the outer end, clamp at the first joint: deflection/force, relative",
+                "L^3/3EI (1 + 1/n)(1 + 1/(2n)) + joints/K_shear", 1e-6},
+               std::fabs(sunk / reaction.force.y / (by_j + shear) - 1.0));
+  expect_holds({"Force at the outer end: torque about the last centre, relative", "F h/2", 1e-6},
+               std::fabs(reaction.torque.z / (0.5 * h * force) - 1.0));
 }
 
 // Closed form: the end turned by 80 degrees about the axis twists each joint by 10, T = GJ/h each.
