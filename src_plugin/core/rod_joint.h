@@ -13,6 +13,7 @@
 // swapping the rods turns their signs only.
 #pragma once
 
+#include "core/numbers.h"
 #include "core/rotation.h"
 
 namespace spherocylinder {
@@ -37,26 +38,27 @@ struct JointRest {
   double bend_x = 0.0, bend_y = 0.0, twist = 0.0;
 };
 
-struct JointDeformation {
-  Vec3 gap;                      // u, space frame (m)
-  Vec3 mean;                     // n
+// What of a joint is energy. Rest not taken off.
+struct JointStrain {
   double stretch;                // u.n (m); > 0: the points are apart
   Vec3 shear;                    // u - (u.n) n (m)
-  double bend_x, bend_y, twist;  // rest not taken off (rad)
+  double bend_x, bend_y, twist;  // rad
 
-  double bend() const { return std::hypot(bend_x, bend_y); }  // between the axes (rad)
+  double bend_squared() const { return bend_x * bend_x + bend_y * bend_y; }  // |b|^2
+};
 
-  // What loads need beside.
+// And what loads need beside.
+struct JointDeformation : JointStrain {
+  Vec3 gap;                      // u, space frame (m)
+  Vec3 mean;                     // n
   Vec3 middle;                   // between the shared points
   Vec3 first_axis, second_axis;  // of the rods
   double inverse_sum;            // 1/|first_axis + second_axis|
   Quaternion relative;           // of the second rod in the first's body frame, w >= 0
   double bend_cosine;            // cos(|b|/2)
   double bend_by_sine;           // |b|/sin(|b|/2): (x, y) of `relative` times it is the bend
-  double bend_slope;             // its derivative by s = sin(|b|/2) at fixed cosine, over s
+  double bend_slope;             // its derivative by s = sin(|b|/2), its cosine aside, over s
 };
-
-JointDeformation joint_deformation(const JointedRod &first, const JointedRod &second);
 
 // `force` on the first rod at `point`, its opposite on the second at the same point; `couple` on the
 // first rod, its opposite on the second. So momentum and angular momentum are kept to the last digit.
@@ -75,55 +77,156 @@ struct JointLoad {
   }
 };
 
-JointLoad elastic_load(const JointedRod &first, const JointDeformation &deformation,
-                       const JointChannels &stiffness, const JointRest &rest);
-
-JointChannels joint_energies(const JointDeformation &deformation, const JointChannels &stiffness,
-                             const JointRest &rest);
-
 struct RodMotion {
   Vec3 velocity, omega;  // space frame
 };
 
+// Beyond these the split of the rotation is about to become ambiguous: half a turn but for one degree.
+constexpr double kLargestJointAngle = 179.0 / 180.0 * pi;
+
+// The second rod's orientation in the first's body frame, with w >= 0: of q and -q, the same rotation,
+// that whose twist is below half a turn.
+SPHEROCYLINDER_INLINE Quaternion relative_orientation(const Quaternion &first,
+                                                      const Quaternion &second)
+{
+  const Quaternion q = Quaternion{first.w, -first.x, -first.y, -first.z} * second;
+  return q.w < 0.0 ? Quaternion{-q.w, -q.x, -q.y, -q.z} : q;
+}
+
+// Below this square of a sine or tangent angles are worked out by series, whose next terms are below
+// 1e-16 of the first. There, differences of nearly equal numbers would be left of the formulas.
+constexpr double kSmallSquare = 0.01;
+
+// From the highest term down.
+template <size_t N>
+SPHEROCYLINDER_INLINE double polynomial(const double (&terms)[N], double y)
+{
+  double sum = terms[N - 1];
+  for (size_t k = N - 1; k-- > 0;) sum = terms[k] + y * sum;
+  return sum;
+}
+
+// With s = sin and c = cos of half the bend: bend/s, that is 2 asin(s)/s, and (2 c - bend/s)/s^2.
+SPHEROCYLINDER_INLINE void set_bend(const Quaternion &q, JointDeformation &d)
+{
+  constexpr double kBySine[] = {2.0,          1.0 / 3.0,     3.0 / 20.0,     5.0 / 56.0,
+                                35.0 / 576.0, 63.0 / 1408.0, 231.0 / 6656.0, 143.0 / 5120.0};
+  constexpr double kSlope[] = {4.0 / 3.0,    2.0 / 5.0,    3.0 / 14.0,    5.0 / 36.0,
+                               35.0 / 352.0, 63.0 / 832.0, 77.0 / 1280.0, 429.0 / 8704.0};
+  const double squared = q.x * q.x + q.y * q.y;
+  d.bend_cosine = std::sqrt(q.w * q.w + q.z * q.z);
+  if (squared < kSmallSquare) {
+    d.bend_by_sine = polynomial(kBySine, squared);
+    d.bend_slope = -polynomial(kSlope, squared);
+  } else {
+    const double sine = std::sqrt(squared);
+    d.bend_by_sine = 2.0 * std::atan2(sine, d.bend_cosine) / sine;
+    d.bend_slope = (2.0 * d.bend_cosine - d.bend_by_sine) / squared;
+  }
+  d.bend_x = d.bend_by_sine * q.x;
+  d.bend_y = d.bend_by_sine * q.y;
+}
+
+SPHEROCYLINDER_INLINE double twist_of(const Quaternion &q)
+{
+  constexpr double kArcTangent[] = {2.0,       -2.0 / 3.0,  2.0 / 5.0,  -2.0 / 7.0,
+                                    2.0 / 9.0, -2.0 / 11.0, 2.0 / 13.0, -2.0 / 15.0};
+  if (q.z * q.z >= kSmallSquare * q.w * q.w) return 2.0 * std::atan2(q.z, q.w);
+  const double tangent = q.z / q.w;
+  return tangent * polynomial(kArcTangent, tangent * tangent);
+}
+
+SPHEROCYLINDER_INLINE JointDeformation joint_deformation(const JointedRod &first,
+                                                         const JointedRod &second)
+{
+  JointDeformation d;
+  d.first_axis = first.axis();
+  d.second_axis = second.axis();
+  const Vec3 head = first.centre + first.half_length * d.first_axis;
+  const Vec3 tail = second.centre - second.half_length * d.second_axis;
+  const Vec3 sum = d.first_axis + d.second_axis;
+  d.gap = tail - head;
+  d.middle = 0.5 * (head + tail);
+  d.inverse_sum = 1.0 / norm(sum);
+  d.mean = d.inverse_sum * sum;
+  d.stretch = dot(d.gap, d.mean);
+  d.shear = d.gap - d.stretch * d.mean;
+  d.relative = relative_orientation(first.orientation, second.orientation);
+  set_bend(d.relative, d);
+  d.twist = twist_of(d.relative);
+  return d;
+}
+
+// Into (-pi, pi]: a twist beyond its rest state.
+SPHEROCYLINDER_INLINE double less_than_half_turn(double angle)
+{
+  return angle > pi ? angle - 2.0 * pi : angle <= -pi ? angle + 2.0 * pi : angle;
+}
+
+// The couple on the first rod, space frame. A small turn w of the second rod, in the first's body frame,
+// changes its quaternion (q, v) by dq = -w.v/2, dv = (q w + w x v)/2; the couple is the derivative of the
+// energy by w.
+SPHEROCYLINDER_INLINE Vec3 elastic_couple(const JointedRod &first, const JointDeformation &d,
+                                          const JointChannels &stiffness, const JointRest &rest)
+{
+  const Quaternion &q = d.relative;
+  const double excess_x = d.bend_x - rest.bend_x, excess_y = d.bend_y - rest.bend_y;
+  const double along = excess_x * q.x + excess_y * q.y;
+  const double twist = less_than_half_turn(d.twist - rest.twist);
+  const double inverse_cosine = 1.0 / d.bend_cosine;
+
+  const double by_cosine = -2.0 * stiffness.bend * along * inverse_cosine;
+  const double by_twist = 2.0 * stiffness.twist * twist * inverse_cosine * inverse_cosine;
+  const double by_w = by_cosine * q.w - by_twist * q.z;
+  const Vec3 by_v = {stiffness.bend * (d.bend_by_sine * excess_x + along * d.bend_slope * q.x),
+                     stiffness.bend * (d.bend_by_sine * excess_y + along * d.bend_slope * q.y),
+                     by_cosine * q.z + by_twist * q.w};
+  const Vec3 v = {q.x, q.y, q.z};
+  return rotated(0.5 * (q.w * by_v + cross(v, by_v) - by_w * v), first.orientation);
+}
+
+// With u = gap, n = sum/|sum| of the axes a and b, and the derivatives of the energy by u and by n,
+//   G = K_shear u + (K_stretch - K_shear)(u.n) n,  D = (K_stretch - K_shear)(u.n) u,
+// the first rod feels G at its shared point and -a x D_across/|sum| by its turn, the second -G at its own
+// and -b x D_across/|sum|. Moved to the point midway, with u x G = -n x D, couples +-(b - a) x
+// D_across/(2 |sum|) are left.
+SPHEROCYLINDER_INLINE JointLoad elastic_load(const JointedRod &first, const JointDeformation &d,
+                                             const JointChannels &stiffness, const JointRest &rest)
+{
+  const double difference = (stiffness.stretch - stiffness.shear) * d.stretch;
+  JointLoad load;
+  load.point = d.middle;
+  load.force = stiffness.shear * d.gap + difference * d.mean;
+  load.couple = (0.5 * d.inverse_sum * difference) * cross(d.second_axis - d.first_axis, d.shear) +
+                elastic_couple(first, d, stiffness, rest);
+  return load;
+}
+
+inline JointChannels joint_energies(const JointStrain &d, const JointChannels &stiffness,
+                                    const JointRest &rest)
+{
+  const double bend_x = d.bend_x - rest.bend_x, bend_y = d.bend_y - rest.bend_y;
+  const double twist = less_than_half_turn(d.twist - rest.twist);
+  return {0.5 * stiffness.stretch * d.stretch * d.stretch,
+          0.5 * stiffness.shear * norm_squared(d.shear),
+          0.5 * stiffness.bend * (bend_x * bend_x + bend_y * bend_y),
+          0.5 * stiffness.twist * twist * twist};
+}
+
 // Adds to `load` what opposes the relative motion at the joint, that of the two bodies at the common
 // point; none if they move as one.
-void add_damping(const JointedRod &first, const RodMotion &motion_of_first,
-                 const JointedRod &second, const RodMotion &motion_of_second,
-                 const JointDeformation &deformation, const JointChannels &coefficients,
-                 JointLoad &load);
-
-// Beyond these the split of the rotation is about to become ambiguous: half a turn but for one degree.
-constexpr double kLargestJointAngle = 179.0 / 180.0 * 3.14159265358979323846;
-
-// A round rod as a beam, of its own half of a joint.
-struct BeamHalf {
-  double radius, half_length;  // m, half the distance of its joints
-  double youngs_modulus;       // Pa
-  double poissons_ratio;
-};
-
-// Of the circle: Timoshenko's coefficient of shear.
-constexpr double kShearCoefficient = 0.9;
-
-// EA/h, kappa G A/h, EI/h, GJ/h with G = E/2(1 + nu); of unlike halves both in series.
-JointChannels joint_stiffness(const BeamHalf &first, const BeamHalf &second);
-
-struct JointedMass {
-  double mass, inertia_transverse, inertia_axial;
-  double half_length;
-};
-
-// Mass and inertia that each channel moves, of two free rods: 1/m = 1/m_1 + 1/m_2, across with
-// (h/2)^2/I_t of each beside; 1/I likewise.
-JointChannels effective_masses(const JointedMass &first, const JointedMass &second);
-
-// 2 zeta sqrt(K m) of each channel.
-JointChannels damping_coefficients(const JointChannels &ratios, const JointChannels &stiffness,
-                                   const JointChannels &masses);
-
-// A bound on the highest omega^2 that joints of these stiffnesses, summed over a rod's ends, give it in
-// a chain of its like: 2 K/m stretched, 2 K (h/2)^2/I_t sheared, 2 K/I bent and twisted. Equal joints at
-// both ends make it the chain's own 4 K/m, 12 K/m (thin rods), 4 K/I_t, 4 K/I_a.
-JointChannels squared_joint_frequencies(const JointedMass &rod, const JointChannels &stiffness_sum);
+SPHEROCYLINDER_INLINE void add_damping(const JointedRod &first, const RodMotion &motion_of_first,
+                                       const JointedRod &second, const RodMotion &motion_of_second,
+                                       const JointDeformation &d, const JointChannels &c,
+                                       JointLoad &load)
+{
+  const Vec3 velocity =
+      motion_of_second.velocity + cross(motion_of_second.omega, load.point - second.centre) -
+      motion_of_first.velocity - cross(motion_of_first.omega, load.point - first.centre);
+  const Vec3 omega = motion_of_second.omega - motion_of_first.omega;
+  load.force =
+      load.force + c.shear * velocity + ((c.stretch - c.shear) * dot(velocity, d.mean)) * d.mean;
+  load.couple = load.couple + c.bend * omega + ((c.twist - c.bend) * dot(omega, d.mean)) * d.mean;
+}
 
 }  // namespace spherocylinder

@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "core/joint_constants.h"
 #include "core/numbers.h"
 #include "group.h"
 #include "host/deck_numbers.h"
@@ -245,7 +246,7 @@ void FixJointSpherocylinder::renew()
   const size_t count = joints.size();
   constants_.resize(count);
   loads_.resize(count);
-  energies_.resize(count);
+  strains_.resize(count);
   for (size_t k = 0; k < count; k++) {
     const int i = joints[k].first, j = joints[k].second;
     check_same_diameter(i, j);
@@ -265,6 +266,7 @@ void FixJointSpherocylinder::renew()
   }
   find_frequencies();
   seen_builds_ = neighbor->ncalls;
+  owned_ = atom->nlocal;
   seen_rods_ = atom->nlocal + atom->nghost;
 }
 
@@ -303,16 +305,15 @@ void FixJointSpherocylinder::compute_load(int k)
   const Constants &c = constants_[k];
   const JointedRod first = joints_.rod(i), second = joints_.rod(j);
   const JointDeformation d = joint_deformation(first, second);
-  const double bend_squared = d.bend_x * d.bend_x + d.bend_y * d.bend_y;
-  if (!(bend_squared < kLargestJointAngle * kLargestJointAngle &&
+  if (!(d.bend_squared() < kLargestJointAngle * kLargestJointAngle &&
         std::fabs(d.twist) < kLargestJointAngle))
     rod_error_one(lmp,
                   "%s: the joint of rods %d and %d is bent by %g and twisted by %g degrees; wanted "
                   "less than 179 of either, where they can be told apart",
-                  name().c_str(), atom->tag[i], atom->tag[j], d.bend() * degrees,
+                  name().c_str(), atom->tag[i], atom->tag[j], std::sqrt(d.bend_squared()) * degrees,
                   d.twist * degrees);
   loads_[k] = elastic_load(first, d, c.stiffness, c.rest);
-  energies_[k] = joint_energies(d, c.stiffness, c.rest);
+  strains_[k] = d;
   if (!is_damped()) return;
   add_damping(first, {load(atom->v[i]), load(atom->omega[i])}, second,
               {load(atom->v[j]), load(atom->omega[j])}, d, c.damping, loads_[k]);
@@ -330,7 +331,6 @@ void FixJointSpherocylinder::post_force(int vflag)
     for (int k = begin; k < end; k++) compute_load(k);
   });
 
-  energy_ = {0.0, 0.0, 0.0, 0.0};
   const int nlocal = atom->nlocal;
   for (int k = 0; k < static_cast<int>(joints.size()); k++) {
     const int i = joints[k].first, j = joints[k].second;
@@ -339,7 +339,6 @@ void FixJointSpherocylinder::post_force(int vflag)
     if (i < nlocal) {
       add_to(atom->f[i], load_k.force);
       add_to(atom->torque[i], cross(at_i, load_k.force) + load_k.couple);
-      energy_ = energy_ + energies_[k];
     }
     if (j < nlocal) {
       add_to(atom->f[j], -load_k.force);
@@ -360,9 +359,20 @@ void FixJointSpherocylinder::tally(int k)
   v_tally(count, owned, 2.0, virial_of_joint);
 }
 
+// Of the last step; this rank's share.
+JointChannels FixJointSpherocylinder::energy() const
+{
+  JointChannels sum = {0.0, 0.0, 0.0, 0.0};
+  const auto &joints = joints_.joints();
+  for (size_t k = 0; k < joints.size(); k++)
+    if (joints[k].first < owned_)
+      sum = sum + joint_energies(strains_[k], constants_[k].stiffness, constants_[k].rest);
+  return sum;
+}
+
 double FixJointSpherocylinder::compute_scalar()
 {
-  const double mine = sum_of(energy_);
+  const double mine = sum_of(energy());
   double all = 0.0;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
@@ -372,8 +382,9 @@ double FixJointSpherocylinder::compute_scalar()
 double FixJointSpherocylinder::compute_vector(int n)
 {
   double joints = 0.0;
-  for (const FibreJoints::Joint &joint : joints_.joints()) joints += joint.first < atom->nlocal;
-  const double mine[] = {energy_.stretch, energy_.shear, energy_.bend, energy_.twist, joints};
+  for (const FibreJoints::Joint &joint : joints_.joints()) joints += joint.first < owned_;
+  const JointChannels e = energy();
+  const double mine[] = {e.stretch, e.shear, e.bend, e.twist, joints};
   double all = 0.0;
   MPI_Allreduce(&mine[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;

@@ -11,6 +11,7 @@ FixStyle(joint/spherocylinder, FixJointSpherocylinder)
 #include <string>
 #include <vector>
 
+#include "core/joint_constants.h"
 #include "core/rod_joint.h"
 #include "fix.h"
 #include "lists/fibre_joints.h"
@@ -58,16 +59,16 @@ class FixJointSpherocylinder : public Fix {
   };
   std::vector<Constants> constants_;
   std::vector<spherocylinder::JointLoad> loads_;
-  std::vector<spherocylinder::JointChannels> energies_;
+  std::vector<spherocylinder::JointStrain> strains_;  // in the last step
   std::vector<double> squared_frequency_;
-  spherocylinder::JointChannels energy_{0.0, 0.0, 0.0, 0.0};  // of the last step, this rank (J)
-  std::vector<double> moduli_, ratios_of_types_;              // by type
+  std::vector<double> moduli_, ratios_of_types_;  // by type
   int standing_groups_ = 0;
   bigint seen_builds_ = -1;
-  int seen_rods_ = 0;
+  int seen_rods_ = 0, owned_ = 0;
 
   void parse(int narg, char **arg);
   bool is_damped() const;
+  spherocylinder::JointChannels energy() const;
   std::string name() const;
   std::vector<double> material(double value, bool is_given, const char *keyword,
                                const char *property) const;

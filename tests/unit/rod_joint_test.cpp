@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/joint_constants.h"
 #include "core/mass_properties.h"
 #include "test_support.h"
 
@@ -189,7 +190,8 @@ TEST(RodJoint, BendAndTwistOfKnownPoses)
     JointedRod second = first;
     second.orientation = normalized(first.orientation * half * turn(binormal, bend) * half);
     const JointDeformation d = joint_deformation(first, second);
-    EXPECT_NEAR(d.bend(), std::acos(dot(first.axis(), second.axis())), 1e-7);  // acos near 0 and pi
+    EXPECT_NEAR(std::sqrt(d.bend_squared()), std::acos(dot(first.axis(), second.axis())),
+                1e-7);  // acos near 0 and pi
     EXPECT_NEAR(d.bend_x, bend * binormal.x, 1e-13);
     EXPECT_NEAR(d.bend_y, bend * binormal.y, 1e-13);
     EXPECT_NEAR(d.twist, twist, 2e-13);
@@ -200,7 +202,7 @@ TEST(RodJoint, BendAndTwistOfKnownPoses)
   }
 }
 
-// The series and the formula meet: s^2 = 1e-3 is a bend of 0.0633 rad.
+// The series and the formulas meet: s^2 = 0.01 is a bend of 0.20033 rad, t^2 = 0.01 a twist of 0.19934.
 TEST(RodJoint, SeriesMeetTheFormula)
 {
   const auto couple_at = [](double bend) {
@@ -208,8 +210,12 @@ TEST(RodJoint, SeriesMeetTheFormula)
     second.orientation = turn({1.0, 0.0, 0.0}, bend);
     return elastic_load(first, joint_deformation(first, second), {1.0, 1.0, 1.0, 1.0}, {}).couple.x;
   };
-  for (const double bend : {1e-12, 1e-6, 0.01, 0.0632, 0.0633, 0.07, 1.0, 3.0})
+  for (const double bend : {1e-12, 1e-6, 0.01, 0.2, 0.2003, 0.2004, 0.3, 1.0, 3.0})
     EXPECT_NEAR(couple_at(bend) / bend, 1.0, 1e-14) << bend;
+  const auto twist_at = [](double twist) { return twist_of(turn({0.0, 0.0, 1.0}, twist)); };
+  for (const double twist : {1e-12, 0.01, 0.1993, 0.1994, 0.3, 1.0, 3.0})
+    for (const double sign : {-1.0, 1.0})
+      EXPECT_NEAR(twist_at(sign * twist) / (sign * twist), 1.0, 1e-15) << twist;
 }
 
 // Closed form: EA/h, kappa G A/h, EI/h, GJ/h; of unlike halves in series.
