@@ -158,6 +158,7 @@ void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, bool m
   near_.find(rods, owned, 0.0, pieces_of(owned));
   const auto &fibres = rods_of(lmp, "Pair gran").attached<FibreSegments>();
   fibres_ = fibres.rows ? &fibres : nullptr;
+  seen_fibres_ = fibres.changes;
 
   // What LIGGGHTS has stored is asked for after it has migrated the rods, else the old list.
   std::swap(now_, before_);
@@ -184,6 +185,7 @@ void RodPairList::renew(PairGran &pair, const std::vector<Capsule> &rods, bool m
 bool RodPairList::goes_on(PairGran &pair)
 {
   if (neighbor->includegroup || has_exclusions(*neighbor)) return false;
+  if (rods_of(lmp, "Pair gran").attached<FibreSegments>().changes != seen_fibres_) return false;
   hand_over(*pair.list);  // whose arrays LIGGGHTS may have made anew
   return true;
 }

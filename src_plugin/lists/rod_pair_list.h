@@ -42,7 +42,7 @@ class RodPairList : protected Pointers {
   const std::vector<int> &new_ghosts() const { return new_ghosts_; }
 
   // After LIGGGHTS has migrated rods, if they and the ghosts are those that the list is of, in the same
-  // places: it goes on, histories and all. False if it may not: groups and exclusions may be others.
+  // places: it goes on, histories and all. False if it may not: groups, exclusions and fibres may be others.
   bool goes_on(PairGran &pair);
 
   // The rods in whose rows a rod or ghost is.
@@ -70,6 +70,7 @@ class RodPairList : protected Pointers {
   int pairs_ = 0, dnum_ = 0;
   bool grown_ = false;                     // the arrays, by some row
   const FibreSegments *fibres_ = nullptr;  // null without any
+  int seen_fibres_ = 0;                    // their changes when the list was made
   Holders holders_;
   spherocylinder::NearPairs near_;
   std::vector<int> ghosts_, new_ghosts_;

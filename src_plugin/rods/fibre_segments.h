@@ -41,6 +41,7 @@ class FibreSegments {
   };
 
   double **rows = nullptr;  // of all rods and ghosts; null without fibres
+  int changes = 0;          // how often joints were made or cut
 
   int fibre(int i) const { return value(i, kFibre); }
   int place(int i) const { return value(i, kPlace); }

@@ -238,6 +238,7 @@ int FibreChains::join(const Chain &chain, int fibre)
 {
   const int count = static_cast<int>(chain.rods.size());
   const int joints = chain.is_ring ? count : count - 1;
+  segments_.changes++;
   const auto rod = [&](int k) -> Rod & { return rods_[chain.rods[k % count]]; };
   for (int k = 0; k < joints; k++) check_can_join(chain.rods[k], chain.rods[(k + 1) % count]);
   bring_frames_along(chain);
@@ -424,6 +425,7 @@ int FibreChains::cut_lost_joints()
       return rod.fibre == fibre && (rod.ends & S::kHeadCloses);
     });
   };
+  segments_.changes++;
   int cut = 0;
   for (const Rod &rod : rods_) {
     Rod now = rod;

@@ -39,6 +39,7 @@ sc::Vec3 FixBuoyancySpherocylinder::gravity()
   return sc::load(g);
 }
 
+// Of a segment of a fibre, the ball about a shared point is in both neighbours: half of it is taken off each.
 void FixBuoyancySpherocylinder::post_force(int)
 {
   const sc::Vec3 g = gravity();
@@ -48,6 +49,7 @@ void FixBuoyancySpherocylinder::post_force(int)
   if (magnitude == 0.0) return;
   const sc::Vec3 up = (-1.0 / magnitude) * g;
   const double surface = level_ * (&up.x)[along_];
+  const auto &fibres = rods_of(lmp, "Fix buoyancy").attached<FibreSegments>();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double *x = atom->x[i];
@@ -56,11 +58,25 @@ void FixBuoyancySpherocylinder::post_force(int)
     const sc::Vec3 axis = sc::axis_of(sc::load_quaternion(atom->quaternion[i]));
     const sc::Capsule rod = {{sc::load(x), axis, shape[2] - shape[0]}, shape[0]};
     const sc::ImmersedPart part = sc::immersed_part(rod, up, surface);
-    const sc::Vec3 lift = (-density_ * part.volume) * g;
-    sc::add_to(atom->f[i], lift);
-    sc::add_to(atom->torque[i], sc::cross(part.centroid, lift));
-    local_force_ = local_force_ + lift;
+    add_lift(i, part.centroid, (-density_ * part.volume) * g);
+    if (fibres.shared_ends(i) == 0) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const int shared = side < 0.0 ? FibreSegments::kTailShared : FibreSegments::kHeadShared;
+      if (!(fibres.ends(i) & shared)) continue;
+      const sc::Vec3 end = (side * rod.segment.half_length) * axis;
+      const sc::Capsule ball = {{rod.segment.centre + end, axis, 0.0}, rod.radius};
+      const sc::ImmersedPart twice = sc::immersed_part(ball, up, surface);
+      add_lift(i, end + twice.centroid, (0.5 * density_ * twice.volume) * g);
+    }
   }
+}
+
+// At `arm` from the centre of rod i.
+void FixBuoyancySpherocylinder::add_lift(int i, const sc::Vec3 &arm, const sc::Vec3 &lift)
+{
+  sc::add_to(atom->f[i], lift);
+  sc::add_to(atom->torque[i], sc::cross(arm, lift));
+  local_force_ = local_force_ + lift;
 }
 
 double FixBuoyancySpherocylinder::compute_vector(int n)

@@ -24,6 +24,7 @@ class FixBuoyancySpherocylinder : public FixBuoyancy {
   bool is_summed_ = false;
 
   spherocylinder::Vec3 gravity();
+  void add_lift(int i, const spherocylinder::Vec3 &arm, const spherocylinder::Vec3 &lift);
 };
 
 }  // namespace LAMMPS_NS

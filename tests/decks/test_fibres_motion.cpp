@@ -330,6 +330,9 @@ TEST(FibreMass, SharedHemispheresCountOnce)
       ASSERT_FALSE(thermo.rows.empty());
       worst = std::max(worst, std::fabs(thermo.rows[0][1] / wanted - 1.0));
       EXPECT_EQ(thermo.rows[0][2], is_ring ? 12 : 11);
+      const Table half = numbers_of(scene, "c_weight", "set group all density 500\n", 0).thermo;
+      ASSERT_FALSE(half.rows.empty());
+      worst = std::max(worst, std::fabs(2.0 * half.rows[0][1] / wanted - 1.0));
     }
   expect_holds(
       {"Mass of fibres and rings, h/r 16, 8, 2, relative", "rho (pi r^2 L + 4/3 pi r^3)", 1e-13},
@@ -408,6 +411,58 @@ TEST(FibreContacts, NeighboursDoNotTouch)
     EXPECT_EQ(n, 0.0) << "short segments";
   for (const double n : contacts_of(ring_of(fibre), fibre))
     EXPECT_EQ(n, 0.0) << "a ring of short segments";
+}
+
+// Rods that overlap at their ends in one run and are joined before the next: their contacts are gone.
+TEST(FibreContacts, JoinedBetweenRuns)
+{
+  Fibre fibre;
+  fibre.segments = 5;
+  Scene scene = fibre_scene(fibre);
+  const std::string joints =
+      scene.physics.substr(scene.physics.find("fix joints"),
+                           scene.physics.find("fix motion") - scene.physics.find("fix joints"));
+  scene.physics.erase(scene.physics.find("fix joints"), joints.size());
+  const std::string count = "compute touch all contact/spherocylinder\n"
+                            "compute touching all reduce sum c_touch\n";
+  const Table apart = numbers_of(scene, "c_touching", count, 0).thermo;
+  const Table joined = numbers_of(scene, "c_touching", count + "run 0\n" + joints, 0).thermo;
+  ASSERT_FALSE(apart.rows.empty() || joined.rows.empty());
+  EXPECT_EQ(apart.rows.back()[1], 8.0);
+  EXPECT_EQ(joined.rows.back()[1], 0.0);
+}
+
+// Closed form: the fibre's own volume below the surface, times what a cubic metre of water weighs. Lying: all
+// of it, half of it; standing, the surface midway in the third segment.
+TEST(FibreBuoyancy, DisplacesItsOwnVolume)
+{
+  Fibre fibre;
+  fibre.segments = 5;
+  const double r = fibre.radius, h = fibre.joint_distance, area = pi * r * r;
+  const double ends = 4.0 / 3.0 * pi * r * r * r, whole = 5.0 * h * area + ends;
+  const struct {
+    Vec3 axis;
+    double level, volume;
+  } cases[] = {{{1.0, 0.0, 0.0}, 0.2, whole},
+               {{1.0, 0.0, 0.0}, 0.1, 0.5 * whole},
+               {{0.0, 0.0, 1.0}, 0.1 + 2.0 * h, 2.5 * h * area + 0.5 * ends}};
+  double worst = 0.0;
+  for (const auto &wanted : cases) {
+    Scene scene = fibre_scene(fibre);
+    scene.rods = straight_rods(fibre, {0.0, 0.0, 0.1}, wanted.axis);
+    const Table thermo =
+        numbers_of(scene, "f_water[3]",
+                   fmt::format("fix g all gravity 9.81 vector 0 0 -1\n"
+                               "fix water all buoyancy level {:.17g} density 1000 dim z\n",
+                               wanted.level),
+                   0)
+            .thermo;
+    ASSERT_FALSE(thermo.rows.empty());
+    worst = std::max(worst, std::fabs(thermo.rows[0][1] / (9810.0 * wanted.volume) - 1.0));
+  }
+  expect_holds(
+      {"Fibre in water, lying and standing: lift, relative", "rho g V below the surface", 1e-8},
+      worst);
 }
 
 // Two rods that lie beside each other touch all the same, and so does a fibre that comes back to itself:
