@@ -47,8 +47,9 @@ JointChannels damping_coefficients(const JointChannels &ratios, const JointChann
           of(ratios.twist, stiffness.twist, masses.twist)};
 }
 
-JointChannels squared_joint_frequencies(const JointedMass &rod, const JointChannels &k)
+JointChannels squared_joint_frequencies(const JointedMass &rod, const JointChannels &stiffness_sum)
 {
+  const JointChannels &k = stiffness_sum;
   return {2.0 * k.stretch / rod.mass,
           2.0 * k.shear * rod.half_length * rod.half_length / rod.inertia_transverse,
           2.0 * k.bend / rod.inertia_transverse, 2.0 * k.twist / rod.inertia_axial};
