@@ -270,6 +270,17 @@ void FixJointSpherocylinder::renew()
   seen_rods_ = atom->nlocal + atom->nghost;
 }
 
+// Segments on the other side of a joint: as they are in each step. Asked for before the joints of a step are
+// found.
+void FixJointSpherocylinder::add_used_ghosts(std::vector<int> &ghosts) const
+{
+  FibreJoints joints(lmp);
+  joints.find(name().c_str());
+  for (const FibreJoints::Joint &joint : joints.joints())
+    for (const int i : {joint.first, joint.second})
+      if (i >= atom->nlocal) ghosts.push_back(i);
+}
+
 // A damper of ratio zeta of the pair has the ratio sqrt(2) zeta in the highest mode of equal rods, and
 // with velocities half a step old the step that is stable shrinks to sqrt(1 + zeta^2) - zeta of it.
 void FixJointSpherocylinder::find_frequencies()

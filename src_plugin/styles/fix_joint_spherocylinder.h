@@ -15,6 +15,7 @@ FixStyle(joint/spherocylinder, FixJointSpherocylinder)
 #include "core/rod_joint.h"
 #include "fix.h"
 #include "lists/fibre_joints.h"
+#include "rods/ghost_user.h"
 
 namespace LAMMPS_NS {
 
@@ -23,7 +24,7 @@ class RodThreads;
 
 // Holds the segments of flexible fibres together: the elastic joints of core/rod_joint.h, measured anew
 // from the poses of rods and ghosts in each step. Each rank adds to its own rods only.
-class FixJointSpherocylinder : public Fix {
+class FixJointSpherocylinder : public Fix, public GhostUser {
  public:
   FixJointSpherocylinder(LAMMPS *lmp, int narg, char **arg);
   void post_create() override;
@@ -33,6 +34,7 @@ class FixJointSpherocylinder : public Fix {
   void post_force(int vflag) override;
   double compute_scalar() override;
   double compute_vector(int n) override;
+  void add_used_ghosts(std::vector<int> &ghosts) const override;
 
   // A bound on what the joints of owned rod i add to the square of the highest frequency (1/s^2), damping
   // counted; as of the last step.
