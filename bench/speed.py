@@ -34,7 +34,7 @@ from studies.common import cases, plots, rows  # noqa: E402
 DIAMETER, DENSITY = 0.01, 2700  # m, kg/m³; those of input/in.rods
 STIFFNESS = 2.0e4               # N/m, times lambda; the same
 MOST_PLACED = 2000              # rods of a gas; larger ones are copies of it
-COPIES = {10: (5, 2, 1), 100: (5, 5, 4)}
+COPIES = {10: (5, 2, 1), 100: (5, 5, 4), 500: (10, 10, 5)}
 COLUMNS = ["scene", "lambda", "rods", "ranks", "steps", "code", "us_per_rod_and_step", "us_min",
            "us_max", "peer_over_plugin", "contacts_per_rod", "memory_kB_per_rod", "peak_MB",
            "checksum", "load"]
