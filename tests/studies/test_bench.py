@@ -239,7 +239,7 @@ def test_page_tells_of_spheres_where_they_were_timed(tmp_path):
             for aspect, count in ((10, 500), (30, 700)) for code, us, contacts, ratio in codes]
     pages.render(ROOT / "bench" / "README.md.j2", out,
                  page.values(pandas.concat([table, pandas.DataFrame(rows)], ignore_index=True)))
-    section = out.read_text().split("### A rod for the price of a sphere")[1].split("## Post")[0]
+    section = out.read_text().split("### A rod for the price of a sphere")[1].split("\n##")[0]
     assert [line for line in section.splitlines() if line.startswith("|")][2:] == [
         "| 500 rods, λ = 10 | 0.21 | 6.0 | 1 |", "| 500 spheres, LIGGGHTS | 0.36 | 5.7 | 1.7 |",
         "| 500 spheres, LAMMPS | 0.17 | 5.7 | 0.81 |",
