@@ -174,9 +174,9 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
 def run_counted(folder: Path | str, deck: Path | str, variables: dict | None = None,
                 program: str = "lmp", build: Path | str | None = None,
                 name: str | None = None, copies_as_loops: bool = False) -> tuple[int, str]:
-    """Runs a deck on one rank: the instructions of its steps, not of what comes before and after, and the
-    command as typed. Of a long copy valgrind counts each byte where the C library has one instruction
-    repeat it; `copies_as_loops` has it copy by loops."""
+    """Runs a deck on one rank of one thread: the instructions of its steps, not of what comes before and
+    after, and the command as typed. Of a long copy valgrind counts each byte where the C library has one
+    instruction repeat it; `copies_as_loops` has it copy by loops."""
     if not shutil.which("valgrind"):
         raise CaseError("the program valgrind is not there: scripts/setup --studies installs it")
     out = Path(folder) / "callgrind.out"
@@ -186,6 +186,8 @@ def run_counted(folder: Path | str, deck: Path | str, variables: dict | None = N
         settings = ":".join(f"glibc.cpu.x86_rep_{word}_threshold=1000000000"
                             for word in ("movsb", "stosb"))
         under = ("env", f"GLIBC_TUNABLES={settings}", *under)
+    if os.environ.get("OMP_NUM_THREADS", "1") != "1":  # threads that wait for others count, too
+        under = ("env", "OMP_NUM_THREADS=1", *under)
     run = run_deck(folder, deck, variables, program, build=build, name=name, under=under)
     found = re.search(r"^(?:totals|summary): (\d+)", out.read_text(), re.MULTILINE)
     out.unlink()
