@@ -2,6 +2,7 @@
 """Runs decks, reads their logs and measures the beds they leave."""
 from __future__ import annotations
 
+import contextlib
 import io
 import os
 import re
@@ -171,6 +172,19 @@ def run_deck(folder: Path | str, deck: Path | str, variables: dict | None = None
     return Run(sum(loops), usage.ru_utime + usage.ru_stime, log, typed)
 
 
+@contextlib.contextmanager
+def one_thread():
+    """Programs that are run within have one thread, whatever OMP_NUM_THREADS is."""
+    before = os.environ.get("OMP_NUM_THREADS")
+    os.environ["OMP_NUM_THREADS"] = "1"
+    try:
+        yield
+    finally:
+        del os.environ["OMP_NUM_THREADS"]
+        if before is not None:
+            os.environ["OMP_NUM_THREADS"] = before
+
+
 def run_counted(folder: Path | str, deck: Path | str, variables: dict | None = None,
                 program: str = "lmp", build: Path | str | None = None,
                 name: str | None = None, copies_as_loops: bool = False) -> tuple[int, str]:
@@ -186,9 +200,8 @@ def run_counted(folder: Path | str, deck: Path | str, variables: dict | None = N
         settings = ":".join(f"glibc.cpu.x86_rep_{word}_threshold=1000000000"
                             for word in ("movsb", "stosb"))
         under = ("env", f"GLIBC_TUNABLES={settings}", *under)
-    if os.environ.get("OMP_NUM_THREADS", "1") != "1":  # threads that wait for others count, too
-        under = ("env", "OMP_NUM_THREADS=1", *under)
-    run = run_deck(folder, deck, variables, program, build=build, name=name, under=under)
+    with one_thread():  # those that wait for others count, too
+        run = run_deck(folder, deck, variables, program, build=build, name=name, under=under)
     found = re.search(r"^(?:totals|summary): (\d+)", out.read_text(), re.MULTILINE)
     out.unlink()
     if not found or int(found[1]) == 0:
