@@ -68,7 +68,10 @@ void group_facets(const TriangleSurface &surface, NearFeatures &near);
 // them bear it. An end at an edge that the axis is nearest to farther in fades out. Contacts between the ends
 // that are nearer to each other along the axis than the rod's radius share one load, all of it where they
 // meet, none from a radius on; over a rim near a place where the surface is nearest, and near an end, they
-// have what is left, so that a contact that comes to an end goes over into that of the end. So loads change
+// have what is left, so that a contact that comes to an end goes over into that of the end. Edges within a
+// smooth patch bear what stands out over the straight line between the ends' overlaps; two neighbours that the
+// rod is pressed into deeper than they turn share one load with the overlap of a round surface through both
+// (`distance` is then that of this surface), so that it is the gradient of its energy. So loads change
 // continuously with the rod's pose, except where an axis gets parallel to an edge, an end passes the boundary
 // of a sharp valley, a face comes into sight, or normals turn at once, and by a little where a tilted rod
 // passes a corner or lies nearly along a gentle ridge.
