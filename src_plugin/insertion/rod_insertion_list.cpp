@@ -2,6 +2,7 @@
 #include "insertion/rod_insertion_list.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "atom.h"
 #include "bounding_box.h"
@@ -31,9 +32,14 @@ void RodInsertionList::begin(const void *insertion, double bounding_radius)
   insertion_ = insertion;
   step_ = update->ntimestep;
 
-  const int nall = atom->nlocal + atom->nghost;
+  // LIGGGHTS forgets its ghosts when the first fix of a step has inserted.
+  std::vector<Capsule> there;
+  const std::vector<Capsule> *ghosts = rods_.ghosts().before_insertion();
+  const int count = ghosts ? atom->nlocal : atom->nlocal + atom->nghost;
+  for (int i = 0; i < count; i++) there.push_back(rods_.capsule(i));
+  if (ghosts) there.insert(there.end(), ghosts->begin(), ghosts->end());
   double largest = bounding_radius;
-  for (int i = 0; i < nall; i++) largest = std::max(largest, atom->radius[i]);
+  for (const Capsule &rod : there) largest = std::max(largest, bounding_radius_of(rod));
 
   // A new rod's centre is on this rank; a rod it can reach lies within two bounding radii of it.
   BoundingBox box(domain->sublo[0], domain->subhi[0], domain->sublo[1], domain->subhi[1],
@@ -44,8 +50,11 @@ void RodInsertionList::begin(const void *insertion, double bounding_radius)
   if (!bins_.setBoundingBox(box, largest, true, true))
     error->one(FLERR, "Insertion of spherocylinders: this rank's subdomain is empty");
 
-  for (int i = 0; i < nall; i++)
-    if (bins_.isInBoundingBox(atom->x[i])) add(rods_.capsule(i));
+  for (const Capsule &rod : there) {
+    double centre[3];
+    spherocylinder::store(rod.segment.centre, centre);
+    if (bins_.isInBoundingBox(centre)) add(rod);
+  }
 }
 
 bool RodInsertionList::overlaps(const Capsule &capsule)

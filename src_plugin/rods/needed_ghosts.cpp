@@ -11,7 +11,9 @@
 #include "core/rotation.h"
 #include "domain.h"
 #include "host/rod_error.h"
+#include "rods/atom_vec_spherocylinder.h"
 #include "rods/rod_fields.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
@@ -32,6 +34,7 @@ int words_of(int flags) { return (flags + kFlags - 1) / kFlags; }
 
 void NeededGhosts::begin_run()
 {
+  brought_step_ = -1;
   reader_.clear();
   counts_ = GhostCounts();
 }
@@ -220,11 +223,22 @@ void NeededGhosts::unpack(unsigned travel, int n, int first, const double *buf)
   arrived_.insert(arrived_.end(), places_.begin(), places_.end());
 }
 
-void NeededGhosts::bring_all()
+void NeededGhosts::bring_all_before_insertion()
 {
+  if (brought_step_ == update->ntimestep) return;
+  brought_step_ = update->ntimestep;
   sends_all_ = true;
   comm->forward_comm();
   sends_all_ = false;
+  before_insertion_.clear();
+  const auto &rods = static_cast<const AtomVecSpherocylinder &>(*atom->avec);
+  for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++)
+    before_insertion_.push_back(rods.capsule(i));
+}
+
+const std::vector<spherocylinder::Capsule> *NeededGhosts::before_insertion() const
+{
+  return brought_step_ == update->ntimestep ? &before_insertion_ : nullptr;
 }
 
 // A rank's messages to itself are none.

@@ -7,6 +7,7 @@
 
 #include "core/capsule.h"
 #include "host/private_members.h"
+#include "lmptype.h"
 #include "pointers.h"
 #include "rods/field_travel.h"
 
@@ -47,8 +48,11 @@ class NeededGhosts : protected Pointers {
   bool are_asked_for() const { return asked_for_; }
   // Whether any rank does.
   bool any_rank(bool wants) const;
-  // By all ranks: all ghosts get the poses of their owners, once.
-  void bring_all();
+  // By all ranks, before rods are inserted: all ghosts get the poses of their owners. Once a step: the first
+  // fix that inserts puts its rods where LIGGGHTS has the ghosts, which are kept here for those after it.
+  void bring_all_before_insertion();
+  // Of this step's, null if none were brought.
+  const std::vector<spherocylinder::Capsule> *before_insertion() const;
 
   // How far the owner of a ghost may be from the ghost where it is stale (m).
   double slack(int i) const { return kSlack * radius_of(i); }
@@ -70,6 +74,8 @@ class NeededGhosts : protected Pointers {
   void count(const int *list, int poses, int numbers);
 
  private:
+  std::vector<spherocylinder::Capsule> before_insertion_;
+  bigint brought_step_ = -1;
   // Of a rod's radius: what a stale ghost costs the lists in pairs it costs less in messages.
   static constexpr double kSlack = 0.15;
 

@@ -99,7 +99,7 @@ template <typename Insertion>
 void insert_among_ghosts(LAMMPS *lmp, Insertion &fix)
 {
   if (fix.next_reneighbor == lmp->update->ntimestep)
-    rods_of(lmp, "Insertion of rods").ghosts().bring_all();
+    rods_of(lmp, "Insertion of rods").ghosts().bring_all_before_insertion();
   fix.Insertion::pre_exchange();
 }
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "claim.h"
+#include "core/rotation.h"
 #include "scene.h"
 #include "slow_distance.h"
 
@@ -211,5 +212,60 @@ TEST(Insertion, RepeatedInsertionKeepsClear)
   EXPECT_GT(rods.size(), 70u);
   EXPECT_GT(smallest_gap(rods), 0.0);
 }
+
+// Two fixes insert in one step: the second sees the rods of the first, and those of other ranks and images.
+class TwoInsertions : public testing::TestWithParam<std::pair<int, const char *>> {};
+
+TEST_P(TwoInsertions, OfOneStepKeepClear)
+{
+  const auto &[ranks, boundary] = GetParam();
+  const auto pour = [](const char *id, int seed, int rods) {
+    return fmt::format(
+        "fix {} all insert/pack seed {} distributiontemplate rods insert_every once overlapcheck yes "
+        "orientation random all_in no maxattempt 500 vel constant 0.0 0.0 0.0 region pour "
+        "particles_in_region {}\n",
+        id, seed, rods);
+  };
+  const DeckFolder folder;
+  folder.write(
+      "in.two",
+      fmt::format("atom_style spherocylinder\natom_modify map array\nboundary {}\nnewton off\n"
+                  "communicate single vel yes\nunits si\n"
+                  "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+                  "neighbor 0.02 bin\nneigh_modify delay 0\n",
+                  boundary) +
+          linear_material(5e4, 1.5e4, 0.5, 0.3) + rod_pair("linear tangential history") +
+          "fix rod all particletemplate/spherocylinder 15485863 atom_type 1 density constant 2500 "
+          "radius constant 0.005 length constant 0.1\n"
+          "fix rods all particledistribution/discrete 32452843 1 rod 1.0\n"
+          "region pour block 0.06 0.94 0.06 0.94 0.06 0.94 units box\n" +
+          pour("first", 49979687, 200) +
+          "timestep 1e-5\nfix motion all nve/spherocylinder\nrun 10\n" + pour("a", 86028121, 230) +
+          pour("b", 15485867, 260) +
+          exact_dump("dump.rods", 5,
+                     "id type x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4 "
+                     "shapex shapez") +
+          "run 5\n");
+  const Outcome outcome = folder.run("in.two", {Program::Lmp, ranks, 60});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const Table atoms = read_dump(folder / "dump.rods").back().atoms;
+  ASSERT_EQ(atoms.rows.size(), 260u);
+  std::vector<Rod> rods;
+  for (size_t k = 0; k < atoms.rows.size(); k++) {
+    Rod rod;
+    rod.diameter = 2.0 * atoms.at(k, "shapex");
+    rod.length = 2.0 * atoms.at(k, "shapez");
+    rod.position = {atoms.at(k, "x"), atoms.at(k, "y"), atoms.at(k, "z")};
+    rod.axis = spherocylinder::axis_of(
+        {atoms.at(k, "quat1"), atoms.at(k, "quat2"), atoms.at(k, "quat3"), atoms.at(k, "quat4")});
+    rods.push_back(rod);
+  }
+  EXPECT_GT(smallest_gap(rods), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, TwoInsertions,
+                         testing::Values(std::pair(1, "p p p"), std::pair(2, "f f f"),
+                                         std::pair(4, "p p f")),
+                         [](const auto &info) { return fmt::format("Ranks{}", info.param.first); });
 
 }  // namespace
