@@ -175,6 +175,10 @@ void NearPairs::LookUp::begin(size_t rods)
     last_seen.assign(rods, 0);
     look_ups = 0;
   }
+}
+
+void NearPairs::LookUp::forget()
+{
   partners.clear();
   found.clear();
   tried = 0;
@@ -223,7 +227,8 @@ template <typename Look>
 void NearPairs::look_up_all(const std::vector<Capsule> &rods, int number,
                             const SearchPieces &pieces, Look look)
 {
-  look_ups_.resize(pieces.count);
+  if (static_cast<int>(look_ups_.size()) < pieces.count) look_ups_.resize(pieces.count);
+  for (LookUp &idle : look_ups_) idle.forget();
   const auto first_of = [&](int piece) {
     return static_cast<int>(static_cast<int64_t>(number) * piece / pieces.count);
   };

@@ -93,6 +93,7 @@ class NearPairs {
     int64_t tried = 0;
     SegmentPairs batch{};
 
+    void forget();
     void begin(size_t rods);
   };
   std::vector<LookUp> look_ups_;

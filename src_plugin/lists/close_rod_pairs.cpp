@@ -399,11 +399,13 @@ void CloseRodPairs::remake_rows(PairGran &pair, const RodThreads &threads)
 
   const int number = static_cast<int>(changed_rows_.size());
   const int pieces = threads.pieces_of(number, kFewestRows);
-  row_makers_.resize(pieces);
-  threads.run(pieces, [&](int piece) {
-    RowMaker &maker = row_makers_[piece];
+  if (static_cast<int>(row_makers_.size()) < pieces) row_makers_.resize(pieces);
+  for (RowMaker &maker : row_makers_) {
     maker.entries.clear();
     maker.looked_at = maker.walked = 0;
+  }
+  threads.run(pieces, [&](int piece) {
+    RowMaker &maker = row_makers_[piece];
     const int last = RodThreads::first_of(piece + 1, pieces, number);
     for (int n = RodThreads::first_of(piece, pieces, number); n < last; n++) {
       const size_t before = maker.entries.size();

@@ -23,8 +23,8 @@ class RodThreads : private Pointers {
   // without one. Said once.
   void begin_run();
 
-  // How many pieces so much work is worth: one if a thread would have less than `least` of it.
-  int pieces_of(int work, int least) const { return work >= least * count_ ? count_ : 1; }
+  // How many pieces so much work is worth: no thread has less than `least` of it, but for a single one.
+  int pieces_of(int work, int least) const { return std::clamp(work / least, 1, count_); }
 
   // Calls work(piece) for each of them, at once, and returns when all are done. Of several works the next
   // one begins when all pieces of the one before are done.
