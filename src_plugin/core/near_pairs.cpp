@@ -228,7 +228,7 @@ void NearPairs::look_up_all(const std::vector<Capsule> &rods, int number,
                             const SearchPieces &pieces, Look look)
 {
   if (static_cast<int>(look_ups_.size()) < pieces.count) look_ups_.resize(pieces.count);
-  for (LookUp &idle : look_ups_) idle.forget();
+  for (LookUp &of_piece : look_ups_) of_piece.forget();
   const auto first_of = [&](int piece) {
     return static_cast<int>(static_cast<int64_t>(number) * piece / pieces.count);
   };

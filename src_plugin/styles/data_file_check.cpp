@@ -240,11 +240,16 @@ class DataFile {
     return text;
   }
 
+  long id_of_line(const std::vector<std::string> &words, const char *section)
+  {
+    if (words.empty()) fail("a line of the %s section must not be blank", section);
+    atom_ = integer(words[0], "an atom's id", 1, INT_MAX - 1);
+    return atom_;
+  }
+
   void read_atom(const std::vector<std::string> &words)
   {
-    if (words.empty()) fail("a line of the Atoms section must not be blank");
-    const long id = integer(words[0], "an atom's id", 1, INT_MAX - 1);
-    atom_ = id;
+    const long id = id_of_line(words, "Atoms");
     if (words.size() != 11 && words.size() != 14)
       fail("%zu columns, wanted 11 or 14: %s", words.size(), kAtomColumns);
     if (columns_ == 0) columns_ = words.size();
@@ -281,9 +286,7 @@ class DataFile {
 
   void read_velocity(const std::vector<std::string> &words)
   {
-    if (words.empty()) fail("a line of the Velocities section must not be blank");
-    const long id = integer(words[0], "an atom's id", 1, INT_MAX - 1);
-    atom_ = id;
+    const long id = id_of_line(words, "Velocities");
     if (words.size() != 7) fail("%zu columns, wanted 7: %s", words.size(), kVelocityColumns);
     if (lines_of_atoms_.count(id) == 0) fail("no such id in the Atoms section");
     const auto [earlier, is_new] = lines_of_velocities_.emplace(id, number_);
@@ -296,9 +299,7 @@ class DataFile {
   {
     if (surroundings_.adds)
       fail("a section Fibres cannot be added to rods that are there; use read_data without add");
-    if (words.empty()) fail("a line of the Fibres section must not be blank");
-    const long id = integer(words[0], "an atom's id", 1, INT_MAX - 1);
-    atom_ = id;
+    const long id = id_of_line(words, "Fibres");
     if (words.size() != 3 && words.size() != 11)
       fail("%zu columns, wanted 3 or 11: %s", words.size(), kFibreColumns);
     if (fibre_columns_ == 0) fibre_columns_ = words.size();
