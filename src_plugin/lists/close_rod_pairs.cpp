@@ -26,6 +26,8 @@ namespace {
 // Of its half of the outer skin, what a rod has used up that is found again with one that has used up
 // all.
 constexpr double kUsedUp = 0.5;
+// Of the least that a rod may move by, what it keeps of its half of the outer skin.
+constexpr double kReserve = 0.5;
 // Of rods and ghosts, more than so many are found again with all the others.
 constexpr double kMostFoundAgain = 0.4;
 
@@ -162,14 +164,29 @@ double CloseRodPairs::least_half(double speed) const
   return std::min(skins_.close_half(), skins_.close_half(speed));
 }
 
-// Moves a rod. False if it may come through its half of the outer skin before it moves again.
+// Whether a rod has used up a good part of its half of the outer skin.
+bool CloseRodPairs::is_used_up(int i, const Capsule &rod) const
+{
+  const double used = kUsedUp * std::max(0.0, listed_half(i, rod) - least_half(speed_of(i)));
+  return twice_shift_squared(rod.segment, list_reference_[i].segment) >= used * used;
+}
+
+// Moves a rod. False if it may come through its half of the outer skin before it moves again. Where ranks are
+// to agree it stops a little before that, so that it lasts for the step in which they are told.
 bool CloseRodPairs::move_on(int i, const Capsule &rod)
 {
   const double shift = std::sqrt(twice_shift_squared(rod.segment, list_reference_[i].segment));
   const double left = listed_half(i, rod) - shift;
   const double speed = speed_of(i), least = least_half(speed);
-  move(i, rod, std::clamp(left, least, skins_.close_half(speed)));
-  return left >= least;
+  const double reserve = ghosts_->may_be_stale() ? kReserve * least : 0.0;
+  if (left >= least + reserve) {
+    move(i, rod, std::min(left - reserve, skins_.close_half(speed)));
+    return true;
+  }
+  const bool lasts = reserve > 0.0 && left >= 0.5 * reserve;
+  move(i, rod, lasts ? left : least);
+  ends_soon_ |= lasts;
+  return lasts;
 }
 
 // Of a rod that has become slow: its pairs are tested for nothing.
@@ -256,7 +273,8 @@ CloseRodPairs::Wanted CloseRodPairs::finish_to_look(const std::vector<Capsule> &
     if (is_to_move(i)) lasts &= move_on(i, rods[i]);
   lasts = ghosts_stay() && lasts;
   ghosts_->forget_arrived();
-  if (!lasts) return skins_.widen(owned, list_.pairs()) ? Wanted::AllPairs : Wanted::SomePairs;
+  if (!lasts || ends_soon_on_any_)
+    return skins_.widen(owned, list_.pairs()) ? Wanted::AllPairs : Wanted::SomePairs;
   return moved_rods_.empty() ? Wanted::Nothing : Wanted::ClosePairs;
 }
 
@@ -284,17 +302,12 @@ bool CloseRodPairs::choose_moved(const std::vector<Capsule> &rods)
   const int owned = atom->nlocal, nall = owned + atom->nghost;
   const bool are_images = comm->nprocs == 1;
   if (list_box_ != box_size() || (are_images && nall > owned && !atom->map_style)) return false;
-  const auto is_used_up = [&](int i) {
-    const double least = least_half(speed_of(i));
-    const double used = kUsedUp * std::max(0.0, listed_half(i, rods[i]) - least);
-    return twice_shift_squared(rods[i].segment, list_reference_[i].segment) >= used * used;
-  };
   found_again_.clear();
   is_found_again_.assign(nall, 0);
   for (int i = 0; i < nall; i++) {
     const int image_of = i < owned || !are_images ? i : atom->map(atom->tag[i]);
     if (image_of < 0 || (i >= owned && are_images && image_of >= owned)) return false;
-    is_found_again_[i] = image_of < i ? is_found_again_[image_of] : is_used_up(i);
+    is_found_again_[i] = image_of < i ? is_found_again_[image_of] : is_used_up(i, rods[i]);
     if (is_found_again_[i]) found_again_.push_back(i);
   }
   return static_cast<double>(found_again_.size()) <= kMostFoundAgain * nall;
@@ -308,6 +321,7 @@ bool CloseRodPairs::renew_some(PairGran &pair, const std::vector<Capsule> &rods)
   for (const int i : list_.new_ghosts())
     if (!is_found_again_[i]) move(i, rods[i], least_half(speed_of(i)));
 
+  ends_soon_ = ends_soon_on_any_ = false;
   skins_.work.renewed += static_cast<int64_t>(found_again_.size());
   skins_.work.cells += list_.search().cells();
   skins_.work.tried += list_.search().tried();
@@ -327,6 +341,16 @@ void CloseRodPairs::see_changed_rows()
     for (const int *i = list_.holders().begin(m); i != list_.holders().end(m); i++)
       row_changes_[*i] = 1;
   }
+}
+
+// By all ranks.
+bool CloseRodPairs::any_rank_wants_ghosts(const std::vector<Capsule> &rods)
+{
+  constexpr int kWantsGhosts = 1, kEndsSoon = 2;
+  const int told = ghosts_->flags_of_ranks((want_ghosts(rods) ? kWantsGhosts : 0) |
+                                           (ends_soon_ ? kEndsSoon : 0));
+  ends_soon_on_any_ = (told & kEndsSoon) != 0;
+  return (told & kWantsGhosts) != 0;
 }
 
 // Whether a stale ghost may touch a rod.
@@ -482,6 +506,7 @@ void CloseRodPairs::renew(PairGran &pair, const RodThreads &threads,
   }
   list_.renew(pair, list_reference_, migrated);
   list_box_ = box_size();
+  ends_soon_ = ends_soon_on_any_ = false;
 
   row_changes_.assign(pair.list->inum, 1);
   first_entry_.assign(pair.list->inum + 1, 0);

@@ -33,7 +33,7 @@ struct RodPairCounts {
 // reference pose; a rod that has gets a new reference pose, and only its own pairs are looked at again. The
 // outer list has reference poses of its own. Once a rod may have used up its half of the outer skin, it
 // and all that have used up a good part of theirs get new ones, and their pairs are found again; those of
-// the others stay. All of that is local: no communication. The order of the pairs is that of the outer
+// the others stay. All of that is local; only the step in which ranks do so is agreed on. The order of the pairs is that of the outer
 // list, by indices, so that sums of forces depend neither on the skins nor on when a rod was looked at.
 class CloseRodPairs : protected Pointers {
  public:
@@ -63,8 +63,7 @@ class CloseRodPairs : protected Pointers {
   {
     make(pair, threads, poses, migrated);
     if (ghosts_->may_be_stale())
-      for (bool first = migrated; first || ghosts_->any_rank(want_ghosts(poses.rods()));
-           first = false) {
+      for (bool asks = migrated; asks || any_rank_wants_ghosts(poses.rods()); asks = false) {
         ask_for_ghosts(poses.rods());
         make(pair, threads, poses, false);
       }
@@ -102,6 +101,9 @@ class CloseRodPairs : protected Pointers {
   // Owned rods that have come through their skins, as each thread has seen them.
   std::vector<std::vector<int>> moving_;
   bool skin_is_new_ = false;  // of the close pairs, in this step
+  // Whether a rod or ghost of this rank has its outer skin used up when it moves next, and whether one of any
+  // rank has. All find their pairs again in the same step: else each would wait for each other one.
+  bool ends_soon_ = false, ends_soon_on_any_ = false;
   // Rods and ghosts whose pairs have to be looked at again, and whether each is one.
   std::vector<int> moved_rods_;
   std::vector<char> moved_;
@@ -180,6 +182,7 @@ class CloseRodPairs : protected Pointers {
     const double half = reference.radius - rod.radius - stale_by;
     return twice_shift_squared(rod.segment, reference.segment) > half * half;
   }
+  bool is_used_up(int i, const spherocylinder::Capsule &rod) const;
   bool move_on(int i, const spherocylinder::Capsule &rod);
   void move(int i, const spherocylinder::Capsule &rod, double half);
   void list_at(int i, const spherocylinder::Capsule &rod);
@@ -205,6 +208,7 @@ class CloseRodPairs : protected Pointers {
   double listed_half(int i, const spherocylinder::Capsule &rod) const;
   double close_half(int i, const spherocylinder::Capsule &rod) const;
   void ask_for_ghosts(const std::vector<spherocylinder::Capsule> &rods);
+  bool any_rank_wants_ghosts(const std::vector<spherocylinder::Capsule> &rods);
   bool want_ghosts(const std::vector<spherocylinder::Capsule> &rods) const;
   std::array<double, 3> box_size() const;
 };

@@ -49,12 +49,23 @@ void NeededGhosts::forget()
 
 double NeededGhosts::radius_of(int i) const { return atom->shape[i][0]; }
 
-bool NeededGhosts::any_rank(bool wants) const
+int NeededGhosts::flags_of_ranks(int mine) const
 {
-  const int mine = wants;
-  int any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  return any != 0;
+  int all = 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_BOR, world);
+  return all;
+}
+
+void NeededGhosts::see_arrived(int ghost)
+{
+  arrived_.push_back(ghost);
+  has_arrived_[ghost - first_ghost_] = 1;
+}
+
+void NeededGhosts::forget_arrived()
+{
+  for (const int ghost : arrived_) has_arrived_[ghost - first_ghost_] = 0;
+  arrived_.clear();
 }
 
 /* ----------------------------------------------------------------------
@@ -69,6 +80,8 @@ void NeededGhosts::see_swaps()
   for (size_t k = 0; k < swaps_.size(); k++)
     swaps_[k].of_host = ghost_swap(*comm, static_cast<int>(k));
   first_ghost_ = atom->nlocal;
+  arrived_.clear();
+  has_arrived_.assign(atom->nghost, 0);
 }
 
 NeededGhosts::Swap &NeededGhosts::swap_from(const int *list)
@@ -140,6 +153,7 @@ void NeededGhosts::unpack_asked(int n, const int *list, const double *buf)
     }
   }
   swap.kept.swap(kept);
+  swap.is_new = true;
 }
 
 /* ----------------------------------------------------------------------
@@ -151,6 +165,14 @@ Segment NeededGhosts::across(int i, const Vec3 &period) const
   const double *shape = atom->shape[i];
   return {load(atom->x[i]) + period, axis_of(load_quaternion(atom->quaternion[i])),
           shape[2] - shape[0]};
+}
+
+// What is stale here, too, moves when a pose comes only, but in the first message after ghosts were asked for:
+// until then it may have been asked for here.
+bool NeededGhosts::is_as_it_was(const Swap &swap, int i) const
+{
+  return !swap.is_new && !sends_all_ && i >= first_ghost_ && is_stale(i) &&
+         !has_arrived_[i - first_ghost_];
 }
 
 // What is stale here is sent whenever it is another.
@@ -174,6 +196,7 @@ int NeededGhosts::pack_needed(unsigned travel, Swap &swap, const GhostGain &gain
   others_.clear();
   places_.clear();
   for (Kept &kept : swap.kept) {
+    if (is_as_it_was(swap, kept.rod)) continue;
     const Segment now = across(kept.rod, gain.period);
     const double shift = twice_shift_squared(now, kept.sent);
     if (!sends_all_ && shift <= slack_squared_here(kept.rod)) continue;
@@ -181,6 +204,7 @@ int NeededGhosts::pack_needed(unsigned travel, Swap &swap, const GhostGain &gain
     others_.push_back(kept.rod);
     places_.push_back(kept.place);
   }
+  swap.is_new = false;
   const int number = static_cast<int>(others_.size()), sent = static_cast<int>(swap.sent.size());
   double *out = buf;
   const auto put = [&](unsigned fields, int rods, const int *list) {
@@ -211,7 +235,7 @@ void NeededGhosts::unpack(unsigned travel, int n, int first, const double *buf)
   const double number = *buf++;
   if (number == kAll) {
     unpack_rod_fields(*atom, travel, n, first, buf);
-    for (int k = 0; k < n; k++) arrived_.push_back(first + k);
+    for (int k = 0; k < n; k++) see_arrived(first + k);
     return;
   }
   buf = unpack_rod_fields(*atom, travel, swap.received, buf);
@@ -219,8 +243,8 @@ void NeededGhosts::unpack(unsigned travel, int n, int first, const double *buf)
   for (int k = 0; k < static_cast<int>(number); k++)
     places_.push_back(first + static_cast<int>(*buf++));
   unpack_rod_fields(*atom, kForward, places_, buf);
-  arrived_.insert(arrived_.end(), swap.received.begin(), swap.received.end());
-  arrived_.insert(arrived_.end(), places_.begin(), places_.end());
+  for (const int ghost : swap.received) see_arrived(ghost);
+  for (const int ghost : places_) see_arrived(ghost);
 }
 
 void NeededGhosts::bring_all_before_insertion()

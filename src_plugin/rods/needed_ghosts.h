@@ -46,8 +46,8 @@ class NeededGhosts : protected Pointers {
   // If ghosts were asked for before, those that are new among them are brought up to date.
   void ask_for(const std::vector<int> &wanted);
   bool are_asked_for() const { return asked_for_; }
-  // Whether any rank does.
-  bool any_rank(bool wants) const;
+  // Those that any rank has set.
+  int flags_of_ranks(int mine) const;
   // By all ranks, before rods are inserted: all ghosts get the poses of their owners. Once a step: the first
   // fix that inserts puts its rods where LIGGGHTS has the ghosts, which are kept here for those after it.
   void bring_all_before_insertion();
@@ -61,7 +61,7 @@ class NeededGhosts : protected Pointers {
   // Ghosts with poses that have come since they were last forgotten, some more than once; all of them are not
   // named where not are_asked_for.
   const std::vector<int> &arrived() const { return arrived_; }
-  void forget_arrived() { arrived_.clear(); }
+  void forget_arrived();
 
   const GhostCounts &counts() const { return counts_; }
 
@@ -88,6 +88,7 @@ class NeededGhosts : protected Pointers {
     GhostSwap of_host;
     std::vector<int> sent, received;  // in each step
     std::vector<Kept> kept;
+    bool is_new = true;  // no message since it was last asked for
   };
 
   std::string reader_;
@@ -96,14 +97,17 @@ class NeededGhosts : protected Pointers {
   int first_ghost_ = 0;
   std::vector<char> is_sent_;  // to this rank, in each step; by ghost
   std::vector<int> arrived_;
+  std::vector<char> has_arrived_;  // by ghost
   GhostCounts counts_;
   // Of one message: rods that are sent beside those asked for, and their places.
   std::vector<int> others_, places_;
 
   double radius_of(int i) const;
   void see_swaps();
+  void see_arrived(int ghost);
   Swap &swap_from(const int *list);
   Swap &swap_to(int first);
+  bool is_as_it_was(const Swap &swap, int i) const;
   double slack_squared_here(int i) const;
   spherocylinder::Segment across(int i, const spherocylinder::Vec3 &period) const;
   int pack_needed(unsigned travel, Swap &swap, const GhostGain &gain, double *buf);
