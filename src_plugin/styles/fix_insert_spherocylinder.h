@@ -33,32 +33,43 @@ class InsertionNearFaces {
 };
 
 // LIGGGHTS's insertion commands, where they would take a rod for its bounding sphere or for a point
-// that does not turn.
-class FixInsertPackSpherocylinder : public FixInsertPack, public InsertionNearFaces {
+// that does not turn. In a simulation with fibres all ranks place together (styles/place_together.h).
+template <typename Insertion>  // FixInsertPack or FixInsertRateRegion
+class InsertionInRegion : public Insertion, public InsertionNearFaces {
  public:
-  FixInsertPackSpherocylinder(LAMMPS *lmp, InsertionArguments arguments);
+  InsertionInRegion(LAMMPS *lmp, InsertionArguments arguments);
   void init() override;
   void pre_exchange() override;
   double share_near_faces(double bounding_radius) const override;
 
  protected:
+  void x_v_omega(int wanted, int &placed, int &rods, double &mass) override;
+};
+
+class FixInsertPackSpherocylinder : public InsertionInRegion<FixInsertPack> {
+ public:
+  using InsertionInRegion::InsertionInRegion;
+
+ protected:
   int calc_ninsert_this() override;
 };
 
-class FixInsertRateRegionSpherocylinder : public FixInsertRateRegion, public InsertionNearFaces {
+class FixInsertRateRegionSpherocylinder : public InsertionInRegion<FixInsertRateRegion> {
  public:
-  FixInsertRateRegionSpherocylinder(LAMMPS *lmp, InsertionArguments arguments);
-  void init() override;
-  void pre_exchange() override;
-  double share_near_faces(double bounding_radius) const override;
+  using InsertionInRegion::InsertionInRegion;
 };
 
 class FixInsertStreamSpherocylinder : public FixInsertStream, public InsertionNearFaces {
  public:
   FixInsertStreamSpherocylinder(LAMMPS *lmp, InsertionArguments arguments);
+  void init() override;
   void pre_exchange() override;
   void end_of_step() override;
   double share_near_faces(double bounding_radius) const override;
+
+ protected:
+  void x_v_omega(int wanted, int &placed, int &rods, double &mass) override;
+  void finalize_insertion(int rods) override;
 };
 
 }  // namespace LAMMPS_NS
