@@ -160,9 +160,9 @@ void FixParticletemplateSpherocylinder::parse_rod_keywords(int narg, char **arg)
           rod_error_all(lmp, "Fix %s (id %s): segments must be >= 1 (got %s)", style, id,
                         arg[i + 1]);
       } else {
-        rest = arg[i];
-        (strcmp(rest, "rest_curvature") == 0 ? curvature : twist) =
-            deck_number(lmp, fix_and_id(arg), rest, arg[i + 1]);
+        const double value = deck_number(lmp, fix_and_id(arg), arg[i], arg[i + 1]);
+        (strcmp(arg[i], "rest_curvature") == 0 ? curvature : twist) = value;
+        if (value != 0.0) rest = arg[i];
       }
       i++;
     }
