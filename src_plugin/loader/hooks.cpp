@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How the plug-in enters a stock LIGGGHTS. libliggghts calls its own exported functions through
 // its procedure linkage table, so that a library found earlier in symbol look-up (this one, linked
-// before it or named in LD_PRELOAD) stands in front of them. Five functions, and that of
-// dump_diameter.cpp, are enough:
+// before it or named in LD_PRELOAD) stands in front of them. Eight functions, and those of
+// dump_diameter.cpp and file_hooks.cpp, are enough:
 //   LAMMPS::post_create  runs after construction and after the `clear` command
 //   Atom::new_avec       is asked for every atom style
 //   Input::execute_command, LAMMPS::init  where rods meet what LIGGGHTS offers: refused styles end here
 //   Finish::end          prints the statistics after a run
+//   WriteRestart::write  writes a restart file
+//   Output::setup, Output::write  write dumps, restarts and the log, where files that are cut end the run
 // All call the original and add to it.
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include <dlfcn.h>
 
@@ -19,13 +23,19 @@
 #include "error.h"
 #include "finish.h"
 #include "host/host_version.h"
+#include "host/rod_error.h"
+#include "host/written_files.h"
 #include "input.h"
 #include "lammps.h"
 #include "lists/rod_pair_report.h"
 #include "loader/host_build.h"
 #include "loader/host_checks.h"
+#include "loader/restart_files.h"
 #include "loader/style_table.h"
+#include "output.h"
 #include "universe.h"
+#include "update.h"
+#include "write_restart.h"
 
 #define EXPORT __attribute__((visibility("default")))
 
@@ -68,6 +78,22 @@ void flush_every_line(LAMMPS_NS::LAMMPS *lmp)
   if (lmp->logfile) setvbuf(lmp->logfile, nullptr, _IOLBF, 0);
 }
 
+// A file that has grown past the limit of the shell is one that is cut, not the end of the process in silence.
+void watch_files()
+{
+  signal(SIGXFSZ, SIG_IGN);
+  spherocylinder::look_at_files_at_exit();
+}
+
+void end_if_a_file_is_cut(LAMMPS_NS::LAMMPS *lmp)
+{
+  const std::string cut = spherocylinder::next_cut_file();
+  if (cut.empty()) return;
+  if (ferror(stdout) || (lmp->screen && ferror(lmp->screen)))
+    fprintf(stderr, "ERROR: %s\n", cut.c_str());
+  rod_error_one(lmp, "%s", cut.c_str());
+}
+
 void print_banner_once(LAMMPS_NS::LAMMPS *lmp)
 {
   static bool printed = false;
@@ -88,6 +114,7 @@ EXPORT void LAMMPS::post_create()
   original(this);
   check_host(this);
   flush_every_line(this);
+  watch_files();
   spherocylinder::add_styles(this);
   print_banner_once(this);
 }
@@ -112,8 +139,16 @@ EXPORT int Input::execute_command()
       next_symbol<ExecuteCommand>("_ZN9LAMMPS_NS5Input15execute_commandEv");
   LAMMPS *const lammps = lmp;
   spherocylinder::check_command_before(lammps, command, narg, arg);
+  const bool reads_restart = strcmp(command, "read_restart") == 0;
+  std::vector<std::string> lines;
+  if (reads_restart)
+    lines = spherocylinder::check_restart_before_it_is_read(lammps, narg, arg);
+  else
+    spherocylinder::keep_models(lammps, command, narg, arg);
   const int unknown = original(this);
+  if (reads_restart) spherocylinder::restart_was_read(lammps, lines);
   spherocylinder::check_command_after(lammps);
+  end_if_a_file_is_cut(lammps);
   return unknown;
 }
 
@@ -122,7 +157,33 @@ EXPORT void LAMMPS::init()
   using Init = void (*)(LAMMPS *);
   static const auto original = next_symbol<Init>("_ZN9LAMMPS_NS6LAMMPS4initEv");
   spherocylinder::check_styles_at_run_start(this);
+  if (update->whichflag == 1) spherocylinder::say_which_models_differ(this);
   original(this);
+}
+
+// Also within a run, by the command `restart`.
+EXPORT void WriteRestart::write(char *file)
+{
+  using Write = void (*)(WriteRestart *, char *);
+  static const auto original = next_symbol<Write>("_ZN9LAMMPS_NS12WriteRestart5writeEPc");
+  spherocylinder::write_whole_restart(lmp, file,
+                                      [this](std::string name) { original(this, name.data()); });
+}
+
+EXPORT void Output::setup(int memory)
+{
+  using Setup = void (*)(Output *, int);
+  static const auto original = next_symbol<Setup>("_ZN9LAMMPS_NS6Output5setupEi");
+  original(this, memory);
+  end_if_a_file_is_cut(lmp);
+}
+
+EXPORT void Output::write(bigint step)
+{
+  using Write = void (*)(Output *, bigint);
+  static const auto original = next_symbol<Write>("_ZN9LAMMPS_NS6Output5writeEl");
+  original(this, step);
+  end_if_a_file_is_cut(lmp);
 }
 
 // `run ... post no` asks for the loop time alone, flag 0.

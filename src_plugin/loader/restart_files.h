@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Restart files that are whole or refused. They are written beside their place and put there when the
+// disk has all of them, with a closing mark (host/closing_mark.h); read only if the mark is right.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace spherocylinder {
+
+// By all ranks: `write` writes LIGGGHTS's part under the name it is given.
+void write_whole_restart(LAMMPS_NS::LAMMPS *lmp, const std::string &name,
+                         const std::function<void(const std::string &)> &write);
+
+// Before the command read_restart, whose last word `unchecked` is taken away: refuses a file that is not
+// whole. The lines of its mark go to what follows.
+std::vector<std::string> check_restart_before_it_is_read(LAMMPS_NS::LAMMPS *lmp, int &narg,
+                                                         char **arg);
+void restart_was_read(LAMMPS_NS::LAMMPS *lmp, const std::vector<std::string> &lines);
+
+// The deck's words about contacts, which go into restart files.
+void keep_models(LAMMPS_NS::LAMMPS *lmp, const char *command, int narg, char **arg);
+
+// When a run begins after a restart was read: says which models and walls are others than the file's.
+void say_which_models_differ(LAMMPS_NS::LAMMPS *lmp);
+
+}  // namespace spherocylinder
