@@ -8,6 +8,7 @@
 #include <mutex>
 #include <vector>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -19,6 +20,7 @@ namespace {
 struct OpenFile {
   FILE *stream;
   std::string name;
+  std::string hidden;  // where it is written, if beside its place
   bool told;
 };
 
@@ -30,6 +32,7 @@ struct Files {
   std::mutex mutex;
   std::vector<OpenFile> open;
   std::vector<CutFile> cut;
+  std::vector<std::string> expected;
   bool screen_told = false;
 };
 
@@ -41,10 +44,16 @@ Files &files()
 }
 
 // A failed write leaves its mark on the stream, not its reason.
-std::string likely_reason(const std::string &name)
+std::string likely_reason(FILE *stream)
 {
   struct statvfs disk;
-  if (statvfs(name.c_str(), &disk) == 0 && disk.f_bavail == 0) return strerror(ENOSPC);
+  struct stat file;
+  struct rlimit limit;
+  if (fstatvfs(fileno(stream), &disk) == 0 && disk.f_blocks > 0 && disk.f_bavail == 0)
+    return strerror(ENOSPC);
+  if (fstat(fileno(stream), &file) == 0 && getrlimit(RLIMIT_FSIZE, &limit) == 0 &&
+      static_cast<rlim_t>(file.st_size) >= limit.rlim_cur)
+    return strerror(EFBIG);
   return "a write to it failed";
 }
 
@@ -55,17 +64,26 @@ std::string sentence(const CutFile &file)
 }
 
 // All is written, and is there.
-std::string fault_of(FILE *stream, const std::string &name)
+std::string fault_of(FILE *stream)
 {
   const bool failed_before = ferror(stream);
   if (fflush(stream) != 0) return strerror(errno);
-  if (failed_before) return likely_reason(name);
+  if (failed_before) return likely_reason(stream);
   struct stat file;
   const off_t end = ftello(stream);
   if (fstat(fileno(stream), &file) == 0 && S_ISREG(file.st_mode) && file.st_size < end)
     return "it is " + std::to_string(file.st_size) + " bytes long, " + std::to_string(end) +
            " were written";
   return {};
+}
+
+thread_local bool they_appear_whole = false;
+
+// Puts a file in its place; why it could not, if so.
+std::string appear(const OpenFile &file)
+{
+  if (file.hidden.empty() || rename(file.hidden.c_str(), file.name.c_str()) == 0) return {};
+  return strerror(errno);
 }
 
 void end_by_cut_file()
@@ -81,17 +99,62 @@ void end_by_cut_file()
 
 }  // namespace
 
-void watch_file(FILE *stream, const char *name, const char *mode)
+std::string beside(const std::string &name)
 {
-  if (!stream || !strpbrk(mode, "wa+")) return;
+  const size_t folder = name.rfind('/') + 1;  // 0 without one
+  return name.substr(0, folder) + "." + name.substr(folder) + ".part";
+}
+
+bool is_plain_file(const std::string &name)
+{
+  struct stat file;
+  return lstat(name.c_str(), &file) != 0 || S_ISREG(file.st_mode);
+}
+
+FILE *open_watched_file(const char *name, const char *mode,
+                        FILE *(*open)(const char *, const char *) )
+{
+  if (!strpbrk(mode, "wa+")) return open(name, mode);
+  std::string hidden;
+  if (they_appear_whole && mode[0] == 'w' && is_plain_file(name)) hidden = beside(name);
+  FILE *const stream = open(hidden.empty() ? name : hidden.c_str(), mode);
+  if (!stream) return stream;
   const std::lock_guard<std::mutex> lock(files().mutex);
-  files().open.push_back({stream, name, false});
+  files().open.push_back({stream, name, hidden, false});
+  return stream;
+}
+
+void expect_file(const char *name, const char *mode)
+{
+  if (!they_appear_whole || !strpbrk(mode, "wa+")) return;
+  const std::lock_guard<std::mutex> lock(files().mutex);
+  files().expected.push_back(name);
+}
+
+FilesAppearWhole::FilesAppearWhole(bool they_do) : before_(they_appear_whole)
+{
+  they_appear_whole = they_do;
+}
+
+FilesAppearWhole::~FilesAppearWhole()
+{
+  they_appear_whole = before_;
+  const std::lock_guard<std::mutex> lock(files().mutex);
+  for (OpenFile &file : files().open) {
+    const std::string fault = appear(file);
+    if (!fault.empty()) files().cut.push_back({file.name, fault});
+    file.hidden.clear();
+  }
+  struct stat file;
+  for (const std::string &name : files().expected)
+    if (stat(name.c_str(), &file) != 0) files().cut.push_back({name, strerror(ENOSPC)});
+  files().expected.clear();
 }
 
 int close_watched_file(FILE *stream, int (*close)(FILE *))
 {
   Files &all = files();
-  OpenFile file{nullptr, {}, false};
+  OpenFile file{nullptr, {}, {}, false};
   {
     const std::lock_guard<std::mutex> lock(all.mutex);
     const auto found = std::find_if(all.open.begin(), all.open.end(),
@@ -102,12 +165,15 @@ int close_watched_file(FILE *stream, int (*close)(FILE *))
     }
   }
   if (!file.stream) return close(stream);
-  std::string fault = fault_of(stream, file.name);
+  std::string fault = fault_of(stream);
   errno = 0;
   const int result = close(stream);
   const int number = errno;
-  if (fault.empty() && result != 0)
-    fault = number ? strerror(number) : "the program that writes it failed";
+  if (fault.empty() && result != 0) fault = strerror(number);
+  if (fault.empty())
+    fault = appear(file);
+  else if (!file.hidden.empty())
+    remove(file.hidden.c_str());
   if (!fault.empty() && !file.told) {
     const std::lock_guard<std::mutex> lock(all.mutex);
     all.cut.push_back({file.name, fault});
@@ -128,7 +194,7 @@ std::string next_cut_file()
   for (OpenFile &file : all.open)
     if (!file.told && ferror(file.stream)) {
       file.told = true;
-      return sentence({file.name, likely_reason(file.name)});
+      return sentence({file.name, likely_reason(file.stream)});
     }
   if (!all.screen_told && ferror(stdout)) {
     all.screen_told = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Stands before the C library where LIGGGHTS opens and closes its files, so that none is cut short in
-// silence. Calls of other libraries go straight on.
+// silence. Calls of other libraries go on as they are.
 #include <cstdio>
 
 #include <dlfcn.h>
@@ -39,30 +39,22 @@ extern "C" {
 EXPORT FILE *fopen(const char *name, const char *mode)
 {
   static const auto original = next_symbol<FILE *(*) (const char *, const char *)>("fopen");
+  if (!is_liggghts(__builtin_return_address(0))) return original(name, mode);
+  return spherocylinder::open_watched_file(name, mode, original);
+}
+
+// By which streams of C++ are opened: VTK's.
+EXPORT FILE *fopen64(const char *name, const char *mode)
+{
+  static const auto original = next_symbol<FILE *(*) (const char *, const char *)>("fopen64");
   FILE *const stream = original(name, mode);
-  if (stream && is_liggghts(__builtin_return_address(0)))
-    spherocylinder::watch_file(stream, name, mode);
+  if (stream) spherocylinder::expect_file(name, mode);
   return stream;
 }
 
 EXPORT int fclose(FILE *stream)
 {
   static const auto original = next_symbol<int (*)(FILE *)>("fclose");
-  return spherocylinder::close_watched_file(stream, original);
-}
-
-EXPORT FILE *popen(const char *command, const char *mode)
-{
-  static const auto original = next_symbol<FILE *(*) (const char *, const char *)>("popen");
-  FILE *const stream = original(command, mode);
-  if (stream && is_liggghts(__builtin_return_address(0)))
-    spherocylinder::watch_file(stream, command, mode);
-  return stream;
-}
-
-EXPORT int pclose(FILE *stream)
-{
-  static const auto original = next_symbol<int (*)(FILE *)>("pclose");
   return spherocylinder::close_watched_file(stream, original);
 }
 

@@ -145,7 +145,10 @@ EXPORT int Input::execute_command()
     lines = spherocylinder::check_restart_before_it_is_read(lammps, narg, arg);
   else
     spherocylinder::keep_models(lammps, command, narg, arg);
-  const int unknown = original(this);
+  const int unknown = [&] {
+    const spherocylinder::FilesAppearWhole whole(strncmp(command, "write_", 6) == 0);
+    return original(this);
+  }();
   if (reads_restart) spherocylinder::restart_was_read(lammps, lines);
   spherocylinder::check_command_after(lammps);
   end_if_a_file_is_cut(lammps);
@@ -174,7 +177,10 @@ EXPORT void Output::setup(int memory)
 {
   using Setup = void (*)(Output *, int);
   static const auto original = next_symbol<Setup>("_ZN9LAMMPS_NS6Output5setupEi");
-  original(this, memory);
+  {
+    const spherocylinder::FilesAppearWhole frames;
+    original(this, memory);
+  }
   end_if_a_file_is_cut(lmp);
 }
 
@@ -182,7 +188,10 @@ EXPORT void Output::write(bigint step)
 {
   using Write = void (*)(Output *, bigint);
   static const auto original = next_symbol<Write>("_ZN9LAMMPS_NS6Output5writeEl");
-  original(this, step);
+  {
+    const spherocylinder::FilesAppearWhole frames;
+    original(this, step);
+  }
   end_if_a_file_is_cut(lmp);
 }
 

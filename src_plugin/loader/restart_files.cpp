@@ -14,7 +14,6 @@
 
 #include <dlfcn.h>
 #include <mpi.h>
-#include <sys/stat.h>
 
 #include "atom.h"
 #include "comm.h"
@@ -112,18 +111,12 @@ std::string part_name(const std::string &name, const std::string &part)
   return place == std::string::npos ? name : name.substr(0, place) + part + name.substr(place + 1);
 }
 
-// Hidden, so that no pattern with * finds it.
-std::string beside(const std::string &name)
+// Where a link leads.
+std::string real_place(const std::string &name)
 {
-  const std::filesystem::path path = name;
-  return (path.parent_path() / ("." + path.filename().string() + ".part")).string();
-}
-
-// A pipe or a device stays where it is.
-bool is_put_in_place(const std::string &name)
-{
-  struct stat file;
-  return stat(name.c_str(), &file) != 0 || S_ISREG(file.st_mode);
+  std::error_code failed;
+  if (!std::filesystem::is_symlink(name, failed)) return name;
+  return std::filesystem::weakly_canonical(name, failed).string();
 }
 
 std::string cannot_write(const std::string &name, const std::string &reason)
@@ -153,8 +146,7 @@ std::string fault_of_closing(const std::string &name, const std::string &beside_
 std::string fault_of_renaming(const std::string &name, const std::string &beside_it)
 {
   std::error_code failed;
-  std::filesystem::path target = name;
-  if (std::filesystem::is_symlink(target, failed)) target = std::filesystem::weakly_canonical(target, failed);
+  const std::string target = real_place(name);
   std::filesystem::rename(beside_it, target, failed);
   return failed ? cannot_write(name, failed.message()) : "";
 }
@@ -183,7 +175,7 @@ void write_whole_restart(LAMMPS *lmp, const std::string &name,
   const bool has_base = lmp->comm->me == 0;
   const std::string base = part_name(name, "base");
   const std::string part = part_name(name, std::to_string(lmp->comm->me));
-  int in_place = is_put_in_place(base);
+  int in_place = is_plain_file(real_place(base));
   MPI_Bcast(&in_place, 1, MPI_INT, 0, lmp->world);
   if (!in_place) return write(name);
 
@@ -198,7 +190,10 @@ void write_whole_restart(LAMMPS *lmp, const std::string &name,
   if (has_base) fault = fault_of_opening(base, beside(base));
   if (parts && fault.empty()) fault = fault_of_opening(part, beside(part));
   end_if(fault);
-  write(beside(name));
+  {
+    const FilesAppearWhole off(false);
+    write(beside(name));
+  }
 
   const std::string version = kPlugin + std::string(SPHEROCYLINDER_VERSION) + " step " +
                               std::to_string(lmp->update->ntimestep);
