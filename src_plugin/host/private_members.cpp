@@ -7,12 +7,17 @@
 #include "atom.h"
 #include "comm.h"
 #include "dump.h"
+#include "fix_insert.h"
+#include "fix_particledistribution_discrete.h"
+#include "fix_template_sphere.h"
 #include "fix_wall_gran.h"
 #include "input.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "pair_gran.h"
 #include "primitive_wall.h"
+#include "random_park.h"
+#include "region.h"
 #include "tri_mesh.h"
 
 namespace LAMMPS_NS {
@@ -40,6 +45,15 @@ EXPOSE_MEMBER(WallParameters, PrimitiveWall, param, double *)
 EXPOSE_MEMBER(WallContactArea, FixWallGran, fixed_contact_area_, double)
 
 EXPOSE_MEMBER(MeshCurvature, SurfaceMeshBase, curvature_, double)
+
+EXPOSE_MEMBER(InsertionStream, FixInsert, random, RanPark *)
+EXPOSE_MEMBER(DistributionStream, FixParticledistributionDiscrete, random, RanPark *)
+EXPOSE_MEMBER(TemplateStream, FixTemplateSphere, random_insertion, RanPark *)
+EXPOSE_MEMBER(TemplateVolumeStream, FixTemplateSphere, random_mc, RanPark *)
+EXPOSE_MEMBER(RegionStream, Region, random, RanPark *)
+EXPOSE_MEMBER(MeshStream, MultiNodeMesh<3>, random_, RanPark *)
+EXPOSE_MEMBER(StreamKeepsOne, RanPark, save, int)
+EXPOSE_MEMBER(StreamKept, RanPark, second, double)
 
 #undef EXPOSE_MEMBER
 
@@ -106,6 +120,33 @@ double *wall_parameters(PrimitiveWall &wall) { return wall.*member(WallParameter
 double &given_contact_area(FixWallGran &wall) { return wall.*member(WallContactArea()); }
 
 double cosine_of_curvature(const TriMesh &mesh) { return mesh.*member(MeshCurvature()); }
+
+std::vector<RanPark *> random_streams(Fix &fix)
+{
+  if (auto *insertion = dynamic_cast<FixInsert *>(&fix))
+    return {insertion->*member(InsertionStream())};
+  if (auto *distribution = dynamic_cast<FixParticledistributionDiscrete *>(&fix))
+    return {distribution->*member(DistributionStream())};
+  if (auto *particle = dynamic_cast<FixTemplateSphere *>(&fix))
+    return {particle->*member(TemplateStream()), particle->*member(TemplateVolumeStream())};
+  return {};
+}
+
+RanPark *random_stream(Region &region) { return region.*member(RegionStream()); }
+
+RanPark *random_stream(TriMesh &mesh) { return mesh.*member(MeshStream()); }
+
+RandomState random_state(RanPark &stream)
+{
+  return {stream.state(), stream.*member(StreamKeepsOne()), stream.*member(StreamKept())};
+}
+
+void set_random_state(RanPark &stream, const RandomState &state)
+{
+  stream.reset(state.seed);
+  stream.*member(StreamKeepsOne()) = state.keeps_one;
+  stream.*member(StreamKept()) = state.kept;
+}
 
 int history_value(PairGran &pair, const std::string &name)
 {

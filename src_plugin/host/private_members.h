@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -19,6 +20,8 @@ class Modify;
 class Neighbor;
 class PairGran;
 class PrimitiveWall;
+class RanPark;
+class Region;
 class TriMesh;
 
 // The styles that a deck can name, and who makes them.
@@ -56,6 +59,19 @@ double &given_contact_area(FixWallGran &wall);
 
 // The cosine of the angle up to which the mesh's faces make one smooth surface: keyword curvature.
 double cosine_of_curvature(const TriMesh &mesh);
+
+// The random numbers that insertion draws: a fix's of its own, none of other fixes; a region's; and a mesh's.
+std::vector<RanPark *> random_streams(Fix &fix);
+RanPark *random_stream(Region &region);
+RanPark *random_stream(TriMesh &mesh);
+
+// Where such a stream is. Of numbers with a normal distribution it makes two at a time and keeps one.
+struct RandomState {
+  int seed, keeps_one;
+  double kept;
+};
+RandomState random_state(RanPark &stream);
+void set_random_state(RanPark &stream, const RandomState &state);
 
 // Where a pair's contact history keeps a value, -1 if it does not: the stock models do not all tell.
 int history_value(PairGran &pair, const std::string &name);

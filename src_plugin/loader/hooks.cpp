@@ -181,6 +181,7 @@ EXPORT void Output::setup(int memory)
     const spherocylinder::FilesAppearWhole frames;
     original(this, memory);
   }
+  spherocylinder::go_on_with_random_numbers(lmp);
   end_if_a_file_is_cut(lmp);
 }
 

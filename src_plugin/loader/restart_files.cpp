@@ -24,6 +24,7 @@
 #include "host/rod_error.h"
 #include "host/written_files.h"
 #include "lammps.h"
+#include "loader/random_streams.h"
 #include "modify.h"
 #include "read_restart.h"
 #include "rods/atom_vec_spherocylinder.h"
@@ -50,7 +51,7 @@ struct Models {
   explicit Models(LAMMPS *) {}
   std::string pair;
   std::map<std::string, std::string> walls;  // by id, of those too that are gone
-  std::vector<std::string> restarted;
+  std::vector<std::string> restarted, random;
 };
 
 Models *models_of(LAMMPS *lmp)
@@ -207,6 +208,7 @@ void write_whole_restart(LAMMPS *lmp, const std::string &name,
     for (const std::string &of_part : checks_of_all(lmp, check)) lines.push_back(kPart + of_part);
   if (const Models *models = models_of(lmp))
     for (const std::string &line : lines_of(*models, lmp)) lines.push_back(line);
+  for (const std::string &line : random_lines(lmp)) lines.push_back(line);
   end_if(has_base ? fault_of_closing(base, beside(base), lines, check) : "");
 
   if (parts) end_if(fault_of_renaming(part, beside(part)));
@@ -302,7 +304,8 @@ void restart_was_read(LAMMPS *lmp, const std::vector<std::string> &lines)
 {
   Models *models = models_of(lmp);
   if (!models || lines.empty()) return;
-  models->restarted.assign(lines.begin() + 1, lines.end());
+  for (size_t k = 1; k < lines.size(); k++)
+    (is_random_line(lines[k]) ? models->random : models->restarted).push_back(lines[k]);
   std::istringstream first(lines[0]);
   std::string plugin, version;
   first >> plugin >> version;
@@ -347,6 +350,14 @@ void say_which_models_differ(LAMMPS *lmp)
                 "Command read_restart: contact models or walls are others than the file's (in the "
                 "file: %s; now: %s)",
                 told(then, now).c_str(), told(now, then).c_str());
+}
+
+void go_on_with_random_numbers(LAMMPS *lmp)
+{
+  Models *models = models_of(lmp);
+  if (!models || models->random.empty()) return;
+  set_random_streams(lmp, models->random);
+  models->random.clear();
 }
 
 }  // namespace spherocylinder

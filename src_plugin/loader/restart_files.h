@@ -29,4 +29,7 @@ void keep_models(LAMMPS_NS::LAMMPS *lmp, const char *command, int narg, char **a
 // When a run begins after a restart was read: says which models and walls are others than the file's.
 void say_which_models_differ(LAMMPS_NS::LAMMPS *lmp);
 
+// When the first run is set up, and nothing is drawn before its first step.
+void go_on_with_random_numbers(LAMMPS_NS::LAMMPS *lmp);
+
 }  // namespace spherocylinder

@@ -65,6 +65,8 @@ class FixInsertStreamSpherocylinder : public FixInsertStream, public InsertionNe
   void init() override;
   void pre_exchange() override;
   void end_of_step() override;
+  // LIGGGHTS draws points to find out a rank's share of the stream before it first inserts in a run.
+  void find_out_share() { insertion_fraction(); }
   double share_near_faces(double bounding_radius) const override;
 
  protected:
