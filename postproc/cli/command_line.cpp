@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -70,6 +71,7 @@ CLI::Validator number_between(double low, double high)
 
 int run_tool(CLI::App &app, int argc, char **argv, const std::function<void()> &work)
 {
+  std::signal(SIGXFSZ, SIG_IGN);  // past the shell's limit: a file that is cut, as on a full disk
   try {
     app.parse(argc, argv);
     check_threads();

@@ -153,6 +153,13 @@ void write_file(const std::string &path, const std::string &text)
   output.finish();
 }
 
+FilesTogether::~FilesTogether()
+{
+  std::error_code ignored;  // nothing more can be done
+  for (const std::string &path : paths_)
+    if (is_ordinary(path)) fs::remove(path, ignored);
+}
+
 void note_input(const std::string &path)
 {
   if (is_ordinary(path) && is_among(outputs, path))

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace spherocylinder {
 
@@ -34,6 +35,23 @@ class OutputFile {
 
 // A file that holds this text. Throws InputError if not all of it reached the disk.
 void write_file(const std::string &path, const std::string &text);
+
+// Files that are of use only together. At its end they are taken away, unless they were all kept: after a
+// failure nothing is left of them.
+class FilesTogether {
+ public:
+  FilesTogether() = default;
+  FilesTogether(const FilesTogether &) = delete;
+  FilesTogether &operator=(const FilesTogether &) = delete;
+  ~FilesTogether();
+
+  // After it was written.
+  void add(const std::string &path) { paths_.push_back(path); }
+  void keep() { paths_.clear(); }
+
+ private:
+  std::vector<std::string> paths_;
+};
 
 // Says that this run reads a file. Throws InputError if it writes the same one.
 void note_input(const std::string &path);

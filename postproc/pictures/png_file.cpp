@@ -7,9 +7,11 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include "io/input_error.h"
+#include "io/output_file.h"
 
 namespace spherocylinder {
 
@@ -24,10 +26,13 @@ void write_png(vtkRenderWindow *window, const std::string &path, int shrink)
   smaller->AveragingOn();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(smaller->GetOutputPort());
-  writer->SetFileName(path.c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
   if (writer->GetErrorCode() != 0)
-    throw InputError(fmt::format("{}: the picture could not be written", path));
+    throw InputError(fmt::format("{}: VTK could not make the picture", path));
+  vtkUnsignedCharArray *const bytes = writer->GetResult();
+  write_file(path, std::string(reinterpret_cast<const char *>(bytes->GetPointer(0)),
+                               static_cast<size_t>(bytes->GetNumberOfValues())));
 }
 
 }  // namespace spherocylinder

@@ -19,13 +19,12 @@ namespace spherocylinder {
 
 void write_poly_data(const std::string &path, vtkPolyData *data)
 {
-  OutputFile output(path);
+  // To memory: where a file is cut short, VTK says success or loses its way.
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(output.working_path().c_str());
+  writer->WriteToOutputStringOn();
   writer->SetInputData(data);
-  if (writer->Write() == 0)
-    throw InputError(fmt::format("{}: could not be written to its end", path));
-  output.finish();
+  if (writer->Write() == 0) throw InputError(fmt::format("{}: VTK could not make it", path));
+  write_file(path, writer->GetOutputString());
 }
 
 void TimeSeries::add(double time, const std::string &file, int part)

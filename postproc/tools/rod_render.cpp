@@ -155,9 +155,7 @@ void draw(const DumpFrame &frame, const std::vector<Rod> &rods, const ShownPart 
     const OutputFile probe(path);  // can it be written?
   }
   need_display(argv);  // may start the program again: all is said, no file is open
-  OutputFile output(path);
-  write_bed_picture(output.working_path(), shown, colour, picture);
-  output.finish();
+  write_bed_picture(path, shown, colour, picture);
 }
 
 // One picture of the frame chosen.

@@ -11,6 +11,7 @@
 #include "cli/frame_choice.h"
 #include "io/input_error.h"
 #include "io/mesh_file.h"
+#include "io/output_file.h"
 #include "pictures/mesh_surface.h"
 #include "pictures/ovito_file.h"
 #include "pictures/rod_data.h"
@@ -42,15 +43,21 @@ double time_of(const DumpFrame &frame, const Options &options)
   return static_cast<double>(frame.step) * options.timestep.value_or(1.0);
 }
 
+void write_piece(const std::string &file, vtkPolyData *data, FilesTogether &pieces)
+{
+  write_poly_data(file, data);
+  pieces.add(file);
+}
+
 // The wall and the floor, each in a file of its own; returns their names.
 std::vector<std::string> write_vessel(const UprightCylinder &vessel, int axis,
-                                      const std::string &out)
+                                      const std::string &out, FilesTogether &pieces)
 {
   std::vector<std::string> files{out + "_vessel.vtp", out + "_floor.vtp"};
   const vtkSmartPointer<vtkPolyData> meshes[] = {vessel_wall(vessel), vessel_floor(vessel)};
   for (std::size_t i = 0; i < files.size(); i++) {
     turn_to_space(meshes[i], axis);
-    write_poly_data(files[i], meshes[i]);
+    write_piece(files[i], meshes[i], pieces);
   }
   return files;
 }
@@ -66,7 +73,7 @@ class Walls {
   }
 
   // Writes what is new at this step; returns the files that belong to it.
-  std::vector<std::string> write(std::int64_t step)
+  std::vector<std::string> write(std::int64_t step, FilesTogether &pieces)
   {
     std::vector<std::string> files;
     for (std::size_t i = 0; i < meshes_.size(); i++) {
@@ -74,11 +81,11 @@ class Walls {
       const bool of_all_steps = file == meshes_[i];
       files.push_back(of_all_steps ? fmt::format("{}_mesh{}.vtp", out_, i + 1)
                                    : fmt::format("{}_mesh{}_{:010}.vtp", out_, i + 1, step));
-      if (!of_all_steps || is_first_) write_poly_data(files.back(), read_mesh(file));
+      if (!of_all_steps || is_first_) write_piece(files.back(), read_mesh(file), pieces);
     }
     if (box_) {
       files.push_back(out_ + "_box.vtp");
-      if (is_first_) write_poly_data(files.back(), box_faces(*box_));
+      if (is_first_) write_piece(files.back(), box_faces(*box_), pieces);
     }
     is_first_ = false;
     return files;
@@ -103,6 +110,7 @@ void run(const Options &options)
   std::vector<std::string> vessel;  // files
   Walls others(options);
   std::size_t frames = 0;
+  FilesTogether pieces;
   for_each_frame(options.input.dump, choice, [&](const DumpFrame &frame) {
     const std::vector<Rod> rods = rods_of(frame);
     const double time = time_of(frame, options);
@@ -119,16 +127,18 @@ void run(const Options &options)
           fmt::format("{}: step {} appears twice, wanted each step once", frame.path, frame.step));
     if (++frames == 1 && walls)
       vessel = write_vessel(vessel_up_to(*walls, walls->floor + *options.vessel_height), axis,
-                            options.out);
-    write_poly_data(file, geometry.mesh);
+                            options.out, pieces);
+    write_piece(file, geometry.mesh, pieces);
     series.add(time, file);
     std::vector<std::string> about = vessel;
-    for (const std::string &other : others.write(frame.step)) about.push_back(other);
+    for (const std::string &other : others.write(frame.step, pieces)) about.push_back(other);
     for (std::size_t i = 0; i < about.size(); i++)
       series.add(time, about[i], static_cast<int>(i) + 1);
   });
   series.write();
+  pieces.add(options.out + ".pvd");
   if (ovito) ovito->close();
+  pieces.keep();
   fmt::print("{} frames, open {}.pvd in ParaView", frames, options.out);
   fmt::print("{}\n", options.ovito ? fmt::format(", {}.xyz in OVITO", options.out) : "");
 }
