@@ -27,5 +27,6 @@ void LAMMPS_NS::take_weights(ContactBatch &batch)
     if (batch.weight[k] == 1.0) continue;
     loads.force.set(k, batch.weight[k] * loads.force.get(k));
     loads.torque_i.set(k, batch.weight[k] * loads.torque_i.get(k));
+    loads.torque_j.set(k, batch.weight[k] * loads.torque_j.get(k));
   }
 }

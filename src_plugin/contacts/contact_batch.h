@@ -27,7 +27,8 @@ struct ContactBatch {
   int *flags[spherocylinder::kBatch]{};  // of LIGGGHTS's contact, null without
   double *history[spherocylinder::kBatch]{};  // the models' values, null without
 
-  // Of a mesh: the share of its load that a contact has, see spherocylinder::SurfaceContact.
+  // The share of its load that a contact has, where it may have less: at a mesh (spherocylinder::SurfaceContact),
+  // at a joint of a fibre (core/joint_share.h).
   spherocylinder::Doubles weight{};
 
   // What contacts spread over nearly parallel rods push beside the law's force, over the stiffness: see
@@ -51,7 +52,7 @@ struct ContactBatch {
 
 // Adds what contacts spread over nearly parallel rods push beside the law's force.
 void add_spread(ContactBatch &batch);
-// Of loads that contacts with a mesh share, each takes its own.
+// Of loads that contacts share, each takes its own.
 void take_weights(ContactBatch &batch);
 
 }  // namespace LAMMPS_NS

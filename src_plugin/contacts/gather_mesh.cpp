@@ -23,8 +23,10 @@ constexpr int kSamePart = 0, kSameTriangle = 1, kSamePatch = 2, kNeighbour = 3, 
 }  // namespace
 
 void MeshGatherer::begin(const FixWallGran &fix, const MeshSurface &mesh, int number,
-                         MeshHistories &histories, bool effective_mass, bool types_are_kinds)
+                         MeshHistories &histories, bool effective_mass, bool types_are_kinds,
+                         const JointShares *shares)
 {
+  shares_ = shares;
   fix_ = &fix;
   mesh_ = &mesh;
   number_ = number;
@@ -66,6 +68,27 @@ void MeshGatherer::remember()
   }
 }
 
+// At a joint of a fibre the neighbour's end is at the same face; an edge or a corner is another rod, of no
+// thickness.
+void MeshGatherer::share()
+{
+  const TriangleSurface &surface = mesh_->surface();
+  const Vec3 &axis = capsule_.segment.axis;
+  for (SurfaceContact &contact : found_) {
+    if (contact.feature == OnSurface::kFace) {
+      contact.weight *= shares_->of_end(rod_, contact.place == OnRod::kEndPlus, fix_->groupbit);
+      continue;
+    }
+    const Segment feature = contact.feature == OnSurface::kEdge
+                                ? surface.segment(contact.index)
+                                : Segment{surface.node(contact.index), axis, 0.0};
+    contact.weight *=
+        shares_->of_rod(rod_, capsule_, contact.along, feature, capsule_.radius, fix_->groupbit);
+  }
+  const auto is_nothing = [](const SurfaceContact &contact) { return !(contact.weight > 0.0); };
+  found_.erase(std::remove_if(found_.begin(), found_.end(), is_nothing), found_.end());
+}
+
 int MeshGatherer::find(const RodsNearMesh::Near &near, ContactLaw &law)
 {
   rod_ = near.rod;
@@ -73,6 +96,7 @@ int MeshGatherer::find(const RodsNearMesh::Near &near, ContactLaw &law)
   take_before();
   remember();
   find_contacts(capsule_, mesh_->surface(), near.features, remembered_, found_);
+  if (shares_) share();
   match();
   if (!near.features.pierced.empty() && remembered_.empty() && pierced_rod_ < 0) {
     pierced_rod_ = rod_;

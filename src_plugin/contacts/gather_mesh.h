@@ -8,6 +8,7 @@
 #include "contacts/mesh_histories.h"
 #include "core/contact_kinematics.h"
 #include "core/surface_contacts.h"
+#include "lists/joint_shares.h"
 #include "lists/rods_near_mesh.h"
 #include "pointers.h"
 
@@ -29,7 +30,7 @@ class MeshGatherer : protected Pointers {
 
   // At the start of a step, of one mesh: number `number` of the wall's.
   void begin(const FixWallGran &fix, const MeshSurface &mesh, int number, MeshHistories &histories,
-             bool effective_mass, bool types_are_kinds);
+             bool effective_mass, bool types_are_kinds, const JointShares *shares);
 
   // Finds the contacts of a near rod and what is kept of them; `law` forgets those that ended. Returns how
   // many there are.
@@ -50,7 +51,8 @@ class MeshGatherer : protected Pointers {
   MeshHistories *histories_ = nullptr;
   int number_ = 0, wall_type_ = 0;
   bool types_are_kinds_ = false;
-  double turning_ = 1.0;  // share of the rod's turning that damping knows of
+  double turning_ = 1.0;                 // share of the rod's turning that damping knows of
+  const JointShares *shares_ = nullptr;  // of fibres, null without
   int pierced_rod_ = -1, pierced_triangle_ = -1;
 
   int rod_ = 0;
@@ -61,6 +63,7 @@ class MeshGatherer : protected Pointers {
   std::vector<int> triangles_before_;  // in surface() now, -1 if not there
   std::vector<int> source_;  // of each of found_: the one of before_ that it goes on from, or -1
 
+  void share();
   void take_before();
   void remember();
   void match();

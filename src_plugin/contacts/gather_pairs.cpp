@@ -142,6 +142,7 @@ void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching,
   if (kind_of_all == RodKinds::kNone || any_differs(batch.kind, kind_of_all, batch.count))
     for (int k = 0; k < batch.count; k++) set_kind(batch, k);
 
+  if (const double *shares = touching.shares(first)) std::copy_n(shares, count, batch.weight);
   const ClosestLanes points = touching.lanes(first);
   std::fill(states_i + batch.count, states_i + kBatch, states_i[0]);
   std::fill(states_j + batch.count, states_j + kBatch, states_j[0]);

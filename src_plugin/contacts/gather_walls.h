@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "contacts/contact_batch.h"
 #include "contacts/rod_kinds.h"
 #include "core/contact_kinematics.h"
+#include "lists/joint_shares.h"
 #include "pointers.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "walls/moving_wall.h"
@@ -27,6 +29,9 @@ class FixWallGran;
 double coupling_of_ends(const RodEnds &ends, double radius,
                         const spherocylinder::InverseInertia &inverse);
 
+// Of its load at either end, what a rod bears.
+using EndShares = std::array<double, 2>;
+
 using EndHistories = std::array<double *, 2>;
 
 // From a rod at a wall to contacts of its ends, or to the one with the outside of a cylinder. A wall is body
@@ -37,8 +42,9 @@ class WallGatherer : protected Pointers {
 
   // At the start of a step. `effective_mass`: whether damping knows of the rod's turning. `spread`: whether
   // contacts with the outside of a cylinder are spread over the rod. `types_are_kinds`: all that a law makes
-  // of a rod's material follows from its type.
-  void begin(const FixWallGran &fix, bool effective_mass, bool spread, bool types_are_kinds);
+  // of a rod's material follows from its type. `shares`: of fibres, null without.
+  void begin(const FixWallGran &fix, bool effective_mass, bool spread, bool types_are_kinds,
+             const JointShares *shares);
 
   // Adds the ends of rod i that touch to the batch, which must have room for two. `histories`: of the
   // two ends, null without. `not_touching(end)` is called for the others.
@@ -55,19 +61,26 @@ class WallGatherer : protected Pointers {
     const RodEnds ends = wall.surface.ends_of(rod);
     const bool any = ends.touch(rod.radius);
     const Inertia inertia = any ? inertia_of(ends, rod.radius, i) : Inertia{};
+    const EndShares shares = any && shares_ ? shares_of_ends(i) : EndShares{1.0, 1.0};
     for (int end = 0; end < ends.count; end++) {
       if (any && ends.contacts[end].distance <= rod.radius)
-        add_end(batch, wall, i, end, rod, ends, inertia, histories[end]);
+        add_end(batch, wall, i, end, rod, ends, inertia, shares, histories[end]);
       else
         not_touching(end);
     }
   }
+
+  // Of fibres: contacts of rods with the outside of a cylinder that begin next to a joint go on from that of the
+  // rod on the other side. `history`: rows of all rods, `values` of a contact. Collective.
+  void hand_over_outside(const WallSurface &surface, const std::vector<int> &rods, double **history,
+                         int values) const;
 
  private:
   const FixWallGran *fix_ = nullptr;
   int wall_type_ = 0;
   bool types_are_kinds_ = false, spread_ = true;
   double turning_ = 1.0;  // share of the rod's turning that damping knows of
+  const JointShares *shares_ = nullptr;
 
   // Of the rods.
   const AtomVecSpherocylinder *avec_ = nullptr;
@@ -89,16 +102,22 @@ class WallGatherer : protected Pointers {
   }
   SPHEROCYLINDER_INLINE void add_end(ContactBatch &batch, const MovingWall &wall, int i, int end,
                                      const spherocylinder::Capsule &rod, const RodEnds &ends,
-                                     const Inertia &inertia, double *history) const
+                                     const Inertia &inertia, const EndShares &shares,
+                                     double *history) const
   {
     const spherocylinder::Vec3 &arm = ends.arms[end];
     const EndContact &contact = ends.contacts[end];
     const int k = add_contact(batch, wall, i, rod, arm, contact, inertia.inverse, history);
     batch.end[k] = end;
-    if (inertia.coupling == 0.0) return;
+    if (shares_) batch.weight[k] = shares[end];
+    if (inertia.coupling == 0.0 && shares[end] == 1.0) return;
+    // A push w f at each end makes this one give way by w K11 + w' K12.
     const double alone = inverse_effective_mass(inertia.inverse, arm, contact.normal);
-    batch.arms.mass_share[k] = alone / (alone + inertia.coupling);
+    batch.arms.mass_share[k] = alone / (shares[end] * alone + shares[1 - end] * inertia.coupling);
   }
+  EndShares shares_of_ends(int i) const;
+  double share_outside(const WallSurface &surface, int i, const spherocylinder::Capsule &rod,
+                       const spherocylinder::ClosestPoints &closest) const;
   // The contact of a rod outside of a cylinder. False if it does not touch.
   bool add_outside(ContactBatch &batch, const MovingWall &wall, int i,
                    const spherocylinder::Capsule &rod, double *history) const;

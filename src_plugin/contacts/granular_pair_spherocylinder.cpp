@@ -33,6 +33,7 @@ GranularPairSpherocylinder::GranularPairSpherocylinder(LAMMPS *lmp, PairGran *pa
       laws_(lmp, std::move(models)),
       close_pairs_(lmp),
       false_histories_(lmp),
+      joint_histories_(lmp),
       gatherer_(lmp),
       sudden_overlaps_(lmp)
 {
@@ -88,6 +89,7 @@ void GranularPairSpherocylinder::init_granular()
   side_ = laws_.models().layout().offset_of("rod_normal_x");
   monitor_ = &rods.attached<ContactMonitor>();
   state_ = &rods.attached<ContactState>();
+  joint_shares_ = &rods.attached<JointShares>();
   if (laws_.keywords().all_ghosts) rods.ghosts().send_all_for("ghosts all");
   check_models_are_restarted_ones(rods.attached<ContactState>().restarted);
   close_pairs_.reset(*parent_, laws_.keywords().close_skin);
@@ -144,6 +146,8 @@ void GranularPairSpherocylinder::bring_pairs_up_to_date(PairGran &pair, bool mig
   }
   close_pairs_.update(pair, *threads_, gatherer_, migrated);
   if (migrated) gatherer_.read_masses(pair.freeze_group_bit(), laws_.keywords().effective_mass);
+  shares_ = joint_shares_->bring_up_to_date() ? joint_shares_ : nullptr;
+  touching_pairs_.share_by(shares_);
   touching_pairs_.cut(*threads_, close_pairs_.entries(), gatherer_.rods().size());
 }
 
@@ -206,10 +210,15 @@ void GranularPairSpherocylinder::work_out(PairGran &pair, const PairHistories &h
   }
 
   const int pieces = static_cast<int>(touching_pairs_.pieces().size());
-  if (observers.empty() && laws_.number() > 1 && pieces > 1 && !may_be_false) {
-    work_out_at_once(pair, histories);
+  const bool may_hand_over = shares_ && histories.flags && pair.computeflag() && pair.shearupdate();
+  const bool at_once = observers.empty() && laws_.number() > 1 && pieces > 1 && !may_be_false;
+  if (!at_once || may_hand_over) find_touching(pair, histories, may_be_false);
+  if (may_hand_over)
+    joint_histories_.hand_over(touching_pairs_, gatherer_.rods(), *shares_, histories,
+                               laws_.models().layout());
+  if (at_once) {
+    work_out_at_once(pair, histories, may_hand_over);
   } else {
-    find_touching(pair, histories, may_be_false);
     // One after the other: observers see contacts in the order of the list.
     for (int piece = 0; piece < pieces; piece++) end_contacts(piece, 0, histories);
     for (int piece = 0; piece < pieces; piece++)
@@ -239,6 +248,7 @@ void GranularPairSpherocylinder::work_out_piece(int piece, int thread, const Pai
     law.evaluate(batch);
     relative_overlaps(batch.arms, batch.depth);
     add_spread(batch);
+    if (shares_) take_weights(batch);
     if (any_above(batch.depth, SuddenOverlaps::kWatched, batch.count))
       for (int k = 0; k < batch.count; k++)
         deep.look(batch.i[k], batch.j[k], batch.depth[k], batch.can_move(k));
@@ -248,7 +258,8 @@ void GranularPairSpherocylinder::work_out_piece(int piece, int thread, const Pai
   }
 }
 
-void GranularPairSpherocylinder::work_out_at_once(PairGran &pair, const PairHistories &histories)
+void GranularPairSpherocylinder::work_out_at_once(PairGran &pair, const PairHistories &histories,
+                                                  bool are_found)
 {
   const std::vector<Capsule> &rods = gatherer_.rods();
   const bool adds_forces = pair.computeflag() != 0;
@@ -256,7 +267,7 @@ void GranularPairSpherocylinder::work_out_at_once(PairGran &pair, const PairHist
   threads_->run(
       static_cast<int>(touching_pairs_.pieces().size()),
       [&](int piece) {
-        touching_pairs_.find(piece, rods, histories.flags);
+        if (!are_found) touching_pairs_.find(piece, rods, histories.flags);
         shared_scatter_.find_later_rods(piece);
       },
       [&](int piece) {

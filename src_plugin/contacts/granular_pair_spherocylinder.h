@@ -10,10 +10,12 @@
 #include "contacts/contact_state.h"
 #include "contacts/false_histories.h"
 #include "contacts/gather_pairs.h"
+#include "contacts/joint_histories.h"
 #include "contacts/scatter.h"
 #include "contacts/sudden_overlaps.h"
 #include "granular_pair_style.h"
 #include "lists/close_rod_pairs.h"
+#include "lists/joint_shares.h"
 #include "lists/touching_rod_pairs.h"
 
 namespace LAMMPS_NS {
@@ -53,6 +55,7 @@ class GranularPairSpherocylinder : private Pointers,
   CloseRodPairs close_pairs_;
   TouchingRodPairs touching_pairs_;
   FalseHistories false_histories_;
+  JointHistories joint_histories_;
   PairGatherer gatherer_;
   // What a thread works with.
   struct alignas(spherocylinder::kCacheLine) Worker {
@@ -62,9 +65,11 @@ class GranularPairSpherocylinder : private Pointers,
   };
   std::vector<Worker> workers_;
   SharedScatter shared_scatter_;
-  const RodThreads *threads_ = nullptr;  // these three: attached to the rods
+  const RodThreads *threads_ = nullptr;  // these four: attached to the rods
   ContactMonitor *monitor_ = nullptr;
   const ContactState *state_ = nullptr;
+  JointShares *joint_shares_ = nullptr;
+  const JointShares *shares_ = nullptr;  // of this step, null without fibres
   SuddenOverlaps sudden_overlaps_;
 
   void use_search();
@@ -76,7 +81,7 @@ class GranularPairSpherocylinder : private Pointers,
   template <typename Use>
   void work_out_piece(int piece, int thread, const PairGran &pair, const PairHistories &histories,
                       Use use);
-  void work_out_at_once(PairGran &pair, const PairHistories &histories);
+  void work_out_at_once(PairGran &pair, const PairHistories &histories, bool are_found);
   void keep_sides(const ContactBatch &batch) const;
 };
 

@@ -56,6 +56,7 @@ void GranularWallSpherocylinder::init_granular()
   }
   monitor_ = &rods.attached<ContactMonitor>();
   state_ = &rods.attached<ContactState>();
+  joint_shares_ = &rods.attached<JointShares>();
 }
 
 void GranularWallSpherocylinder::compute_force(FixWallGran *,
@@ -74,8 +75,11 @@ void GranularWallSpherocylinder::compute_forces(FixWallGran &fix, const MovingWa
   const bool adds_forces = fix.computeflag() != 0;
   const RodKeywords &keywords = laws_.keywords();
   laws_.begin({update->dt, adds_forces, adds_forces && fix.shearupdate()});
+  shares_ = joint_shares_->bring_up_to_date() ? joint_shares_ : nullptr;
   gatherer_.begin(fix, keywords.effective_mass, keywords.spread_contact,
-                  !keywords.linear.aspect_scaling);
+                  !keywords.linear.aspect_scaling, shares_);
+  if (shares_ && history && wall.surface.is_cylinder && adds_forces)
+    gatherer_.hand_over_outside(wall.surface, rods, history, laws_.models().layout().values());
   // Observers see contacts in the order of the rods, and LIGGGHTS's models serve one thread.
   const bool at_once = observers.all().empty() && laws_.number() > 1;
   const int number = static_cast<int>(rods.size());
@@ -119,9 +123,10 @@ void GranularWallSpherocylinder::compute_mesh_forces(FixWallGran &fix, const Mes
   const int near = static_cast<int>(rods.end() - rods.begin());
   const bool at_once = observers.all().empty() && laws_.number() > 1;
   const int pieces = at_once ? threads_->pieces_of(near, kFewestRodsAtMesh) : 1;
+  shares_ = joint_shares_->bring_up_to_date() ? joint_shares_ : nullptr;
   for (MeshGatherer &gatherer : mesh_gatherers_)
     gatherer.begin(fix, mesh, number, histories, keywords.effective_mass,
-                   !keywords.linear.aspect_scaling);
+                   !keywords.linear.aspect_scaling, shares_);
   const int owned = atom->nlocal;
   threads_->run(pieces, [&](int piece) {
     const auto *first = rods.begin() + RodThreads::first_of(piece, pieces, near);
@@ -180,8 +185,8 @@ void GranularWallSpherocylinder::finish_batch(int thread, bool adds_forces,
 {
   auto &[batch, seen] = workers_[thread];
   laws_.of_thread(thread).evaluate(batch);
-  if (batch.is_mesh) take_weights(batch);
   add_spread(batch);
+  if (batch.is_mesh || shares_) take_weights(batch);
   if (adds_forces) scatter_walls(batch, *atom);
   monitor_->look(batch, seen);
   show(batch, observers);

@@ -63,9 +63,11 @@ class GranularWallSpherocylinder : private Pointers, public RodWall {
     ContactMonitor::Seen seen;
   };
   std::vector<Worker> workers_;
-  const RodThreads *threads_ = nullptr;  // these three: attached to the rods
+  const RodThreads *threads_ = nullptr;  // these four: attached to the rods
   ContactMonitor *monitor_ = nullptr;
   const ContactState *state_ = nullptr;
+  JointShares *joint_shares_ = nullptr;
+  const JointShares *shares_ = nullptr;  // of this step, null without fibres
 
   // What a thread does with a part of the rods near a wall.
   void work_out(int thread, const int *rods, int count, MovingWall wall, double **history,

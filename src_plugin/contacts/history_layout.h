@@ -21,6 +21,7 @@ class HistoryLayout : public LIGGGHTS::IContactHistorySetup {
   int add_history_value(std::string name, std::string changes_sign) override
   {
     names_.push_back(name);
+    changes_sign_.push_back(changes_sign == "1");
     return keeper_ ? keeper_->add_history_value(name, changes_sign) : values() - 1;
   }
 
@@ -33,6 +34,8 @@ class HistoryLayout : public LIGGGHTS::IContactHistorySetup {
 
   // Of one contact.
   int values() const { return static_cast<int>(names_.size()); }
+  // Whether a value is the opposite from the other body.
+  bool changes_sign(int value) const { return changes_sign_[value]; }
   // Where a contact's history has a value, -1 if it has not.
   int offset_of(const std::string &name) const
   {
@@ -43,6 +46,7 @@ class HistoryLayout : public LIGGGHTS::IContactHistorySetup {
  private:
   LIGGGHTS::IContactHistorySetup *keeper_;  // null: nobody of LIGGGHTS
   std::vector<std::string> names_;
+  std::vector<bool> changes_sign_;
 };
 
 }  // namespace LAMMPS_NS

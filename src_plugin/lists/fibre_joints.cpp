@@ -33,7 +33,7 @@ JointedRod FibreJoints::rod(int i) const
 }
 
 // Farther than both rods' lengths the partner is another image: the right one is not at hand.
-int FibreJoints::partner_of(int i, bool head, const char *who) const
+int FibreJoints::partner_at_hand(int i, bool head) const
 {
   const int ends = segments_.ends(i), fibre = segments_.fibre(i);
   const bool closes = (ends & (head ? S::kHeadCloses : S::kTailCloses)) != 0;
@@ -61,19 +61,25 @@ int FibreJoints::partner_of(int i, bool head, const char *who) const
     partner = found->index;
     least = gap;
   }
-  if (partner < 0)
-    rod_error_one(
-        lmp,
-        "%s: at step " BIGINT_FORMAT " the rod that rod %d, place %d of fibre %d, is joined "
-        "to at its %s is not at hand; it is lost, or farther away than ghosts reach "
-        "(without a pair style: communicate single cutoff R)",
-        who, update->ntimestep, atom->tag[i], segments_.place(i), fibre, head ? "head" : "tail");
   return partner;
 }
 
-void FibreJoints::find(const char *who)
+int FibreJoints::partner_of(int i, bool head, const char *who) const
 {
-  joints_.clear();
+  const int partner = partner_at_hand(i, head);
+  if (partner < 0)
+    rod_error_one(lmp,
+                  "%s: at step " BIGINT_FORMAT
+                  " the rod that rod %d, place %d of fibre %d, is joined "
+                  "to at its %s is not at hand; it is lost, or farther away than ghosts reach "
+                  "(without a pair style: communicate single cutoff R)",
+                  who, update->ntimestep, atom->tag[i], segments_.place(i), segments_.fibre(i),
+                  head ? "head" : "tail");
+  return partner;
+}
+
+void FibreJoints::list_places()
+{
   places_.clear();
   if (!segments_.rows) return;
   for (int i = 0; i < atom->nlocal + atom->nghost; i++)
@@ -81,6 +87,13 @@ void FibreJoints::find(const char *who)
   std::sort(places_.begin(), places_.end(), [](const Place &a, const Place &b) {
     return std::tie(a.fibre, a.place, a.index) < std::tie(b.fibre, b.place, b.index);
   });
+}
+
+void FibreJoints::find(const char *who)
+{
+  joints_.clear();
+  list_places();
+  if (!segments_.rows) return;
   for (int i = 0; i < atom->nlocal; i++) {
     if (segments_.fibre(i) == 0) continue;
     if (segments_.ends(i) & S::kTailJoined) {

@@ -24,6 +24,10 @@ class FibreJoints : protected Pointers {
   // In the order of the owned rods. `who` begins the error about a partner that is not at hand.
   void find(const char *who);
 
+  // The same for one end of a rod or ghost: once the places are listed, -1 if it is not at hand.
+  void list_places();
+  int partner_at_hand(int i, bool head) const;
+
   const std::vector<Joint> &joints() const { return joints_; }
 
   spherocylinder::JointedRod rod(int i) const;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lists/joint_shares.h"
+
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
 
@@ -24,6 +26,7 @@ void TouchingRodPairs::make_room(size_t close)
 {
   // Lanes are written and read up to a batch behind the last.
   const size_t room = close + kBatch;
+  if (shares_ && share_.size() < room) share_.resize(room, 1.0);
   if (of_close_.size() >= room) return;
   of_close_.resize(room);
   for (std::vector<double> *numbers :
@@ -86,6 +89,30 @@ void TouchingRodPairs::keep_touching(Piece &piece, Searcher &searcher, int start
   piece.count = n - piece.first;
 }
 
+// Those that are a neighbour's are taken out, the others move up.
+void TouchingRodPairs::share(Piece &piece, Searcher &searcher, const std::vector<Capsule> &rods,
+                             int **contact_flags)
+{
+  int n = piece.first;
+  for (int from = piece.first; from < piece.first + piece.count; from++) {
+    const CloseRodPairs::Entry &entry = pair(from);
+    const double share = shares_->of_pair(entry.i, entry.j, rods, s_[from], t_[from]);
+    if (!(share > 0.0)) {
+      if (contact_flags && contact_flags[entry.i][entry.index]) searcher.parted.push_back(entry);
+      continue;
+    }
+    share_[n] = share;
+    if (n != from) {
+      of_close_[n] = of_close_[from];
+      for (std::vector<double> *numbers :
+           {&s_, &t_, &delta_x_, &delta_y_, &delta_z_, &distance_squared_, &nearly_parallel_})
+        (*numbers)[n] = (*numbers)[from];
+    }
+    n++;
+  }
+  piece.count = n - piece.first;
+}
+
 // Pieces of about as many close pairs, which begin with a rod's first: all pairs with a rod in the place of
 // i are in one.
 void TouchingRodPairs::cut(const RodThreads &threads,
@@ -128,6 +155,7 @@ void TouchingRodPairs::find(int piece, const std::vector<Capsule> &rods, int **c
     swap_pairs(searcher.batch, searcher.swapped);
     keep_touching(own, searcher, start, count, contact_flags);
   }
+  if (shares_) share(own, searcher, rods, contact_flags);
   pieces_[piece].count = own.count;
 }
 

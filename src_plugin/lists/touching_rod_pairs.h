@@ -9,6 +9,8 @@
 
 namespace LAMMPS_NS {
 
+class JointShares;
+
 // Of the close pairs, those that touch now, worked out in batches.
 class TouchingRodPairs {
  public:
@@ -23,6 +25,9 @@ class TouchingRodPairs {
   // core/closest_points_batch.h, or what misses some of the contacts.
   using Search = void (*)(spherocylinder::SegmentPairs &);
   void search_by(Search search) { search_ = search; }
+
+  // Of fibres: what of each contact is its pair's. Null without. Those of nothing do not touch.
+  void share_by(const JointShares *shares) { shares_ = shares; }
 
   // Once a step: cuts the close pairs into pieces for the threads. `close` is to stay as it is while they are
   // asked for.
@@ -56,6 +61,7 @@ class TouchingRodPairs {
   Pairs pairs() const { return {close_->data(), of_close_.data()}; }
   const CloseRodPairs::Entry &pair(int n) const { return pairs()[n]; }
   Touch touch(int n) const;
+  const std::vector<CloseRodPairs::Entry> &close() const { return *close_; }
   template <typename See>
   void for_each(See see) const
   {
@@ -67,6 +73,9 @@ class TouchingRodPairs {
   {
     return searchers_[piece].parted;
   }
+
+  // Of the one in this place; null without fibres.
+  const double *shares(int first) const { return shares_ ? &share_[first] : nullptr; }
 
   // Those from the place `first` on, and whatever stands behind the last up to a whole batch.
   spherocylinder::ClosestLanes lanes(int first) const
@@ -94,6 +103,7 @@ class TouchingRodPairs {
     void make_certain(int count);
   };
 
+  const JointShares *shares_ = nullptr;
   Search search_ = spherocylinder::closest_points;
   std::vector<Searcher> searchers_;
   const std::vector<CloseRodPairs::Entry> *close_ = nullptr;
@@ -102,9 +112,12 @@ class TouchingRodPairs {
   std::vector<int>
       of_close_;  // and of each the numbers of its touch, a batch longer than the close pairs
   std::vector<double> s_, t_, delta_x_, delta_y_, delta_z_, distance_squared_, nearly_parallel_;
+  std::vector<double> share_;  // the same, with fibres
 
   void make_room(size_t close);
   void keep_touching(Piece &piece, Searcher &searcher, int start, int count, int **contact_flags);
+  void share(Piece &piece, Searcher &searcher, const std::vector<spherocylinder::Capsule> &rods,
+             int **contact_flags);
 };
 
 }  // namespace LAMMPS_NS

@@ -98,13 +98,13 @@ struct WallSurface {
     return {closest, reach - std::sqrt(closest.distance_squared)};
   }
 
- private:
   // As much of the cylinder's axis as the rod can be beside.
   spherocylinder::Segment axis_beside(const spherocylinder::Segment &rod) const
   {
     return {rod.centre - radial(rod.centre), direction, 2.0 * rod.half_length + radius};
   }
 
+ private:
   // An end on the cylinder's axis touches nothing.
   SPHEROCYLINDER_INLINE EndContact inside(const spherocylinder::Vec3 &end) const
   {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/joint_share.h"
+#include "lists/fibre_joints.h"
+
+namespace LAMMPS_NS {
+
+// What of a contact is a segment's where it may be its neighbour's as well (core/joint_share.h), for pairs and
+// walls. Attached to the rods.
+class JointShares : protected Pointers {
+ public:
+  explicit JointShares(LAMMPS *lmp) : Pointers(lmp), joints_(lmp) {}
+
+  // Once a step, before the others: finds neighbours anew if rods may have other places. False in a
+  // deck without fibres, on all ranks.
+  bool bring_up_to_date();
+
+  // The rod joined at an end, -1 without.
+  int neighbour(int i, bool head) const { return neighbours_[i][head]; }
+
+  // Of the contact of rods i and j at s and t on their axes.
+  double of_pair(int i, int j, const std::vector<spherocylinder::Capsule> &rods, double s,
+                 double t) const;
+  // Of rod i with anything else, of which `other` is the axis at hand, where both overlap at less than
+  // `reach`; at s. Of neighbours in the groups of `groupbit`.
+  double of_rod(int i, const spherocylinder::Capsule &rod, double s,
+                const spherocylinder::Segment &other, double reach, int groupbit) const;
+  // Of an end at a plane or the inside of a cylinder, where the neighbour's end is as well: half.
+  double of_end(int i, bool head, int groupbit) const;
+
+  // Of a rod's ends that the contact at s is near enough to.
+  bool is_near_joint(int i, const spherocylinder::Capsule &rod, double s, bool head) const;
+
+ private:
+  FibreJoints joints_;
+  std::vector<std::array<int, 2>> neighbours_;  // of rods and ghosts: at the tail, at the head
+  struct Seen {
+    bigint builds = -1, last_build = -1;
+    int rods = -1, ghosts = -1, changes = -1;
+  };
+  Seen seen_;
+
+  double at_end(int i, bool head, const spherocylinder::Capsule &rod,
+                const spherocylinder::Segment &other, double reach) const;
+};
+
+}  // namespace LAMMPS_NS
