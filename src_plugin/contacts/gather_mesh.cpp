@@ -8,6 +8,7 @@
 #include "atom.h"
 #include "contacts/contact_law.h"
 #include "contacts/rod_kinds.h"
+#include "core/closest_points.h"
 #include "fix_mesh_surface.h"
 #include "fix_wall_gran.h"
 #include "rods/atom_vec_spherocylinder.h"
@@ -82,8 +83,15 @@ void MeshGatherer::share()
     const Segment feature = contact.feature == OnSurface::kEdge
                                 ? surface.segment(contact.index)
                                 : Segment{surface.node(contact.index), axis, 0.0};
-    contact.weight *=
+    const JointShares::Share at_joint =
         shares_->of_rod(rod_, capsule_, contact.along, feature, capsule_.radius, fix_->groupbit);
+    contact.weight *= at_joint.share;
+    if (at_joint.beyond == 0.0 || !(contact.distance > 0.0)) continue;
+    const ClosestPoints points = on_rods(
+        closest_points(extended(capsule_.segment, at_joint.beyond), feature), at_joint.beyond, 0.0);
+    contact.along = points.s;
+    contact.distance = std::sqrt(points.distance_squared);
+    contact.normal = (1.0 / contact.distance) * points.delta;
   }
   const auto is_nothing = [](const SurfaceContact &contact) { return !(contact.weight > 0.0); };
   found_.erase(std::remove_if(found_.begin(), found_.end(), is_nothing), found_.end());

@@ -51,10 +51,10 @@ EndShares WallGatherer::shares_of_ends(int i) const
   return {shares_->of_end(i, false, fix_->groupbit), shares_->of_end(i, true, fix_->groupbit)};
 }
 
-double WallGatherer::share_outside(const WallSurface &surface, int i, const Capsule &rod,
-                                   const ClosestPoints &closest) const
+JointShares::Share WallGatherer::share_outside(const WallSurface &surface, int i,
+                                               const Capsule &rod,
+                                               const ClosestPoints &closest) const
 {
-  if (!shares_) return 1.0;
   return shares_->of_rod(i, rod, closest.s, surface.axis_beside(rod.segment),
                          surface.radius + rod.radius, fix_->groupbit);
 }
@@ -76,10 +76,10 @@ void WallGatherer::hand_over_outside(const WallSurface &surface, const std::vect
     const ClosestPoints closest = surface.closest_at_outside(rod.segment);
     const double reach = surface.radius + rod.radius;
     if (closest.distance_squared > reach * reach) continue;
-    if (!(share_outside(surface, i, rod, closest) > 0.0)) continue;
+    if (!(share_outside(surface, i, rod, closest).share > 0.0)) continue;
     int count = 0;
     for (const bool head : {false, true}) {
-      if (!shares_->is_near_joint(i, rod, closest.s, head)) continue;
+      if (!shares_->is_near_joint(i, rod, closest.s, head, rod.segment.half_length)) continue;
       const int next = shares_->neighbour(i, head);
       if (!(atom->mask[next] & fix_->groupbit)) continue;
       if (next >= atom->nlocal) {
@@ -110,7 +110,7 @@ bool WallGatherer::add_outside(ContactBatch &batch, const MovingWall &wall, int 
                                const Capsule &rod, double *history) const
 {
   constexpr double kRounding = 1e-9;  // over the cylinder's radius
-  const ClosestPoints closest = wall.surface.closest_at_outside(rod.segment);
+  ClosestPoints closest = wall.surface.closest_at_outside(rod.segment);
   const double nearest = std::sqrt(closest.distance_squared) - wall.surface.radius;
   if (nearest > rod.radius) return false;
   if (nearest < -kRounding * wall.surface.radius)
@@ -119,16 +119,23 @@ bool WallGatherer::add_outside(ContactBatch &batch, const MovingWall &wall, int 
         "Fix wall/gran (id %s): the axis of rod %d is across the cylinder at step " BIGINT_FORMAT
         ": %g below its surface, with its centre outside; wanted a rod inside or outside",
         fix_->id, atom->tag[i], update->ntimestep, -nearest);
-  const double share = share_outside(wall.surface, i, rod, closest);
-  if (share == 0.0) return false;
-  const RodContact touch = wall.surface.contact_at_outside(rod, closest, spread_);
+  JointShares::Share at_joint;
+  if (shares_) {
+    at_joint = share_outside(wall.surface, i, rod, closest);
+    if (at_joint.share == 0.0) return false;
+  }
+  const double beyond = at_joint.beyond;
+  const Capsule reaching = {extended(rod.segment, beyond), rod.radius};
+  if (beyond != 0.0) closest = wall.surface.closest_at_outside(reaching.segment);
+  const RodContact touch =
+      moved(wall.surface.contact_at_outside(reaching, closest, spread_), 0.5 * beyond, 0.0);
   const double from_axis = std::sqrt(touch.points.distance_squared);
   const Vec3 arm = touch.points.s * rod.segment.axis;
   const EndContact contact = {from_axis - wall.surface.radius,
                               (1.0 / from_axis) * touch.points.delta,
                               wall.surface.radial(rod.segment.centre + arm)};
   const int k = add_contact(batch, wall, i, rod, arm, contact, inverse_of(i), history);
-  if (shares_) batch.weight[k] = share;
+  if (shares_) batch.weight[k] = at_joint.share;
   batch.arms.overlap[k] = touch.overlap;
   batch.arms.mass_share[k] = touch.share;
   batch.spread[batch.spread_count++] = {k, touch.sideways, touch.couple_i, touch.couple_j};

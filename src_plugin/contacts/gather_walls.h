@@ -116,8 +116,9 @@ class WallGatherer : protected Pointers {
     batch.arms.mass_share[k] = alone / (shares[end] * alone + shares[1 - end] * inertia.coupling);
   }
   EndShares shares_of_ends(int i) const;
-  double share_outside(const WallSurface &surface, int i, const spherocylinder::Capsule &rod,
-                       const spherocylinder::ClosestPoints &closest) const;
+  JointShares::Share share_outside(const WallSurface &surface, int i,
+                                   const spherocylinder::Capsule &rod,
+                                   const spherocylinder::ClosestPoints &closest) const;
   // The contact of a rod outside of a cylinder. False if it does not touch.
   bool add_outside(ContactBatch &batch, const MovingWall &wall, int i,
                    const spherocylinder::Capsule &rod, double *history) const;

@@ -36,7 +36,8 @@ void JointHistories::find_new(const TouchingRodPairs &touching, const std::vecto
       const int first = static_cast<int>(sources_.size());
       const auto look_at = [&](int segment, int other, double along) {
         for (const bool head : {false, true})
-          if (shares.is_near_joint(segment, rods[segment], along, head))
+          if (shares.is_near_joint(segment, rods[segment], along, head,
+                                   rods[other].segment.half_length))
             sources_.push_back({segment, shares.neighbour(segment, head), other});
       };
       const auto look_at_i = [&] { look_at(entry.i, entry.j, touch.points.s); };

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/joint_share.h"
 #include "core/spread_contact.h"
 
 using namespace LAMMPS_NS;
@@ -15,9 +16,13 @@ namespace {
 RodContact spread_over(const Touch &touch, const std::vector<Capsule> &rods, const int *tag,
                        double reach)
 {
-  const Segment &i = rods[touch.i].segment, &j = rods[touch.j].segment;
-  if (tag[touch.i] < tag[touch.j]) return spread_contact(i, j, reach, touch.points);
-  return swapped(spread_contact(j, i, reach, swapped(RodContact{touch.points, 0.0}).points));
+  const Segment i = extended(rods[touch.i].segment, touch.beyond_i),
+                j = extended(rods[touch.j].segment, touch.beyond_j);
+  const double on_i = 0.5 * touch.beyond_i, on_j = 0.5 * touch.beyond_j;
+  const ClosestPoints points = moved(RodContact{touch.points, 0.0}, -on_i, -on_j).points;
+  if (tag[touch.i] < tag[touch.j]) return moved(spread_contact(i, j, reach, points), on_i, on_j);
+  return moved(swapped(spread_contact(j, i, reach, swapped(RodContact{points, 0.0}).points)), on_i,
+               on_j);
 }
 
 Vec3 common_perpendicular(const Vec3 &u, const Vec3 &v)

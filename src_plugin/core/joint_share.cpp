@@ -49,12 +49,18 @@ double smooth_step(double y)
 }
 
 // How much of the patch is before the joint, over the length that counts.
-double before_joint(const LinePatch &patch, double radius)
+double before_joint(const LinePatch &patch, double longest)
 {
-  const double length = 2.0 * std::min(patch.half, 0.5 * radius);
+  const double length = 2.0 * std::min(patch.half, longest);
   const double before = patch.half - patch.centre;
   if (length > 0.0) return before / length;
   return before > 0.0 ? 1.0 : before < 0.0 ? 0.0 : 0.5;
+}
+
+// As seen from the first rod; from the second it is the same turned round, to the last bit.
+LinePatch mean_of(const LinePatch &own, const LinePatch &next)
+{
+  return {0.5 * (own.centre - next.centre), 0.5 * (own.half + next.half)};
 }
 
 }  // namespace
@@ -101,15 +107,22 @@ LinePatch patch_on_line(const EndLine &line, const Segment &other, double reach)
   return {0.5 * (span.low + span.high), 0.5 * (span.high - span.low)};
 }
 
-bool is_all_before_joint(const LinePatch &own, double radius)
+bool is_all_before_joint(const LinePatch &own, double longest)
 {
-  return before_joint(own, radius) >= 1.0;
+  return before_joint(own, longest) >= 1.0;
 }
 
-double share_at_joint(const LinePatch &own, const LinePatch &next, double radius)
+double share_at_joint(const LinePatch &own, const LinePatch &next, double longest)
 {
-  const LinePatch mean = {0.5 * (own.centre - next.centre), 0.5 * (own.half + next.half)};
-  return smooth_step(std::max(before_joint(own, radius), before_joint(mean, radius)));
+  return smooth_step(
+      std::max(before_joint(own, longest), before_joint(mean_of(own, next), longest)));
+}
+
+double reach_beyond_joint(const LinePatch &own, const LinePatch &next, double longest,
+                          double within)
+{
+  const double half = mean_of(own, next).half;
+  return std::min(within, half) * std::clamp(2.0 - 2.0 * half / longest, 0.0, 1.0);
 }
 
 }  // namespace spherocylinder

@@ -21,6 +21,15 @@ struct RodContact {
 // The same contact with the rods in the other order.
 RodContact swapped(const RodContact &contact);
 
+// Of segments whose centres are so far from their rods': as positions on the rods. Couples are beside forces
+// at the contact's points, which stay where they are.
+inline RodContact moved(RodContact contact, double s, double t)
+{
+  contact.points.s += s;
+  contact.points.t += t;
+  return contact;
+}
+
 // The closest point of two rods jumps from one end of their common length to the other when the
 // angle between them passes zero, and the torque jumps with it. This rule shares one contact among
 // three points: half a spring at each end of the common length, and the closest point. Its energy is

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "lists/joint_shares.h"
 
+#include <algorithm>
+
 #include "atom.h"
+#include "core/closest_points.h"
 #include "neighbor.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "rods/fibre_segments.h"
@@ -40,48 +43,55 @@ bool JointShares::bring_up_to_date()
   return true;
 }
 
-// A contact that is a radius from the joint is all of its rod (core/joint_share.h).
-bool JointShares::is_near_joint(int i, const Capsule &rod, double s, bool head) const
+// A contact that is farther from the joint is all of its rod (core/joint_share.h).
+bool JointShares::is_near_joint(int i, const Capsule &rod, double s, bool head, double other) const
 {
   if (neighbours_[i][head] < 0) return false;
-  return rod.segment.half_length - (head ? s : -s) < rod.radius;
+  const double half = rod.segment.half_length;
+  return half - (head ? s : -s) < std::min(half, other) + rod.radius;
 }
 
-double JointShares::at_end(int i, bool head, const Capsule &rod, const Segment &other,
-                           double reach) const
+void JointShares::share_at_end(Share &share, int i, bool head, const Capsule &rod, double s,
+                               const Segment &other, double reach) const
 {
+  const double half = rod.segment.half_length;
   const LinePatch own = patch_on_line(line_through_end(rod.segment, head), other, reach);
-  if (is_all_before_joint(own, rod.radius)) return 1.0;
-  const int next = neighbours_[i][head];
-  const Capsule beyond = static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(next);
-  // Which end of it is joined: the tail to this one's head, in a ring as well.
-  const EndLine line = line_through_end(beyond.segment, !head);
-  return share_at_joint(own, patch_on_line(line, other, reach), rod.radius);
+  if (is_all_before_joint(own, longest_shared(half, half, other.half_length, rod.radius))) return;
+  // In a ring as well, a tail is joined to the head.
+  const Segment next =
+      static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(neighbours_[i][head]).segment;
+  const LinePatch of_next = patch_on_line(line_through_end(next, !head), other, reach);
+  const double longest = longest_shared(half, next.half_length, other.half_length, rod.radius);
+  share.share *= share_at_joint(own, of_next, longest);
+  if (share.share == 0.0 || (head ? s : -s) < half) return;
+  const double along = closest_points(next, other).s;
+  const double beyond =
+      reach_beyond_joint(own, of_next, longest, next.half_length + (head ? along : -along));
+  if (beyond > 0.0) share.beyond = head ? beyond : -beyond;
 }
 
-double JointShares::of_pair(int i, int j, const std::vector<Capsule> &rods, double s,
-                            double t) const
+JointShares::Share JointShares::of_one(int i, int j, const std::vector<Capsule> &rods,
+                                       double s) const
 {
   const FibreSegments &segments = segments_of(*atom);
   const double reach = rods[i].radius + rods[j].radius;
-  const auto of_one = [&](int own, int other, double at) {
-    double share = 1.0;
-    for (const bool head : {false, true})
-      if (is_near_joint(own, rods[own], at, head) &&
-          !segments.never_touch(neighbours_[own][head], other))
-        share *= at_end(own, head, rods[own], rods[other].segment, reach);
-    return share;
-  };
-  return of_one(i, j, s) * of_one(j, i, t);
+  const Segment &other = rods[j].segment;
+  Share share;
+  for (const bool head : {false, true})
+    if (is_near_joint(i, rods[i], s, head, other.half_length) &&
+        !segments.never_touch(neighbours_[i][head], j))
+      share_at_end(share, i, head, rods[i], s, other, reach);
+  return share;
 }
 
-double JointShares::of_rod(int i, const Capsule &rod, double s, const Segment &other, double reach,
-                           int groupbit) const
+JointShares::Share JointShares::of_rod(int i, const Capsule &rod, double s, const Segment &other,
+                                       double reach, int groupbit) const
 {
-  double share = 1.0;
+  Share share;
   for (const bool head : {false, true})
-    if (is_near_joint(i, rod, s, head) && (atom->mask[neighbours_[i][head]] & groupbit))
-      share *= at_end(i, head, rod, other, reach);
+    if (is_near_joint(i, rod, s, head, other.half_length) &&
+        (atom->mask[neighbours_[i][head]] & groupbit))
+      share_at_end(share, i, head, rod, s, other, reach);
   return share;
 }
 

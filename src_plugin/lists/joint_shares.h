@@ -22,18 +22,24 @@ class JointShares : protected Pointers {
   // The rod joined at an end, -1 without.
   int neighbour(int i, bool head) const { return neighbours_[i][head]; }
 
-  // Of the contact of rods i and j at s and t on their axes.
-  double of_pair(int i, int j, const std::vector<spherocylinder::Capsule> &rods, double s,
-                 double t) const;
+  // Of a rod's contact.
+  struct Share {
+    double share = 1.0;
+    double beyond =
+        0.0;  // how far beyond a joint it may be: at the head, or negative at the tail (m)
+  };
+  // Of rod i in the contact with rod j at s on the axis of i. That of the pair is the product of both rods'.
+  Share of_one(int i, int j, const std::vector<spherocylinder::Capsule> &rods, double s) const;
   // Of rod i with anything else, of which `other` is the axis at hand, where both overlap at less than
   // `reach`; at s. Of neighbours in the groups of `groupbit`.
-  double of_rod(int i, const spherocylinder::Capsule &rod, double s,
-                const spherocylinder::Segment &other, double reach, int groupbit) const;
+  Share of_rod(int i, const spherocylinder::Capsule &rod, double s,
+               const spherocylinder::Segment &other, double reach, int groupbit) const;
   // Of an end at a plane or the inside of a cylinder, where the neighbour's end is as well: half.
   double of_end(int i, bool head, int groupbit) const;
 
-  // Of a rod's ends that the contact at s is near enough to.
-  bool is_near_joint(int i, const spherocylinder::Capsule &rod, double s, bool head) const;
+  // Whether the contact at s is near enough to an end that is joined. `other`: half length.
+  bool is_near_joint(int i, const spherocylinder::Capsule &rod, double s, bool head,
+                     double other) const;
 
  private:
   FibreJoints joints_;
@@ -44,8 +50,8 @@ class JointShares : protected Pointers {
   };
   Seen seen_;
 
-  double at_end(int i, bool head, const spherocylinder::Capsule &rod,
-                const spherocylinder::Segment &other, double reach) const;
+  void share_at_end(Share &share, int i, bool head, const spherocylinder::Capsule &rod, double s,
+                    const spherocylinder::Segment &other, double reach) const;
 };
 
 }  // namespace LAMMPS_NS

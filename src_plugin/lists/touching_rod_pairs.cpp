@@ -26,7 +26,8 @@ void TouchingRodPairs::make_room(size_t close)
 {
   // Lanes are written and read up to a batch behind the last.
   const size_t room = close + kBatch;
-  if (shares_ && share_.size() < room) share_.resize(room, 1.0);
+  if (shares_ && share_.size() < room)
+    for (std::vector<double> *numbers : {&share_, &beyond_i_, &beyond_j_}) numbers->resize(room);
   if (of_close_.size() >= room) return;
   of_close_.resize(room);
   for (std::vector<double> *numbers :
@@ -89,6 +90,21 @@ void TouchingRodPairs::keep_touching(Piece &piece, Searcher &searcher, int start
   piece.count = n - piece.first;
 }
 
+void TouchingRodPairs::place_beyond(int n, const Segment &i, const Segment &j, double beyond_i,
+                                    double beyond_j, bool swapped)
+{
+  const Segment a = extended(i, beyond_i), b = extended(j, beyond_j);
+  ClosestPoints points = swapped ? closest_points(b, a) : closest_points(a, b);
+  if (swapped) points = {points.t, points.s, -points.delta, points.distance_squared};
+  points = on_rods(points, beyond_i, beyond_j);
+  s_[n] = points.s;
+  t_[n] = points.t;
+  delta_x_[n] = points.delta.x;
+  delta_y_[n] = points.delta.y;
+  delta_z_[n] = points.delta.z;
+  distance_squared_[n] = points.distance_squared;
+}
+
 // Those that are a neighbour's are taken out, the others move up.
 void TouchingRodPairs::share(Piece &piece, Searcher &searcher, const std::vector<Capsule> &rods,
                              int **contact_flags)
@@ -96,12 +112,19 @@ void TouchingRodPairs::share(Piece &piece, Searcher &searcher, const std::vector
   int n = piece.first;
   for (int from = piece.first; from < piece.first + piece.count; from++) {
     const CloseRodPairs::Entry &entry = pair(from);
-    const double share = shares_->of_pair(entry.i, entry.j, rods, s_[from], t_[from]);
+    const JointShares::Share of_i = shares_->of_one(entry.i, entry.j, rods, s_[from]);
+    const JointShares::Share of_j = shares_->of_one(entry.j, entry.i, rods, t_[from]);
+    const double share = of_i.share * of_j.share;
     if (!(share > 0.0)) {
       if (contact_flags && contact_flags[entry.i][entry.index]) searcher.parted.push_back(entry);
       continue;
     }
     share_[n] = share;
+    beyond_i_[n] = of_i.beyond;
+    beyond_j_[n] = of_j.beyond;
+    if (of_i.beyond != 0.0 || of_j.beyond != 0.0)
+      place_beyond(from, rods[entry.i].segment, rods[entry.j].segment, of_i.beyond, of_j.beyond,
+                   entry.swapped);
     if (n != from) {
       of_close_[n] = of_close_[from];
       for (std::vector<double> *numbers :
@@ -174,5 +197,7 @@ TouchingRodPairs::Touch TouchingRodPairs::touch(int n) const
           entry.index,
           {s_[n], t_[n], {delta_x_[n], delta_y_[n], delta_z_[n]}, distance_squared_[n]},
           std::sqrt(distance_squared_[n]),
-          nearly_parallel_[n] != 0.0};
+          nearly_parallel_[n] != 0.0,
+          shares_ ? beyond_i_[n] : 0.0,
+          shares_ ? beyond_j_[n] : 0.0};
 }

@@ -20,6 +20,7 @@ class TouchingRodPairs {
     spherocylinder::ClosestPoints points;  // p on i, q on j
     double distance;                       // |p - q| (m)
     bool nearly_parallel;                  // spread_contact may move the contact
+    double beyond_i, beyond_j;  // ends of fibres reach so far beyond joints, JointShares::Share
   };
 
   // core/closest_points_batch.h, or what misses some of the contacts.
@@ -112,10 +113,12 @@ class TouchingRodPairs {
   std::vector<int>
       of_close_;  // and of each the numbers of its touch, a batch longer than the close pairs
   std::vector<double> s_, t_, delta_x_, delta_y_, delta_z_, distance_squared_, nearly_parallel_;
-  std::vector<double> share_;  // the same, with fibres
+  std::vector<double> share_, beyond_i_, beyond_j_;  // the same, with fibres
 
   void make_room(size_t close);
   void keep_touching(Piece &piece, Searcher &searcher, int start, int count, int **contact_flags);
+  void place_beyond(int n, const spherocylinder::Segment &i, const spherocylinder::Segment &j,
+                    double beyond_i, double beyond_j, bool swapped);
   void share(Piece &piece, Searcher &searcher, const std::vector<spherocylinder::Capsule> &rods,
              int **contact_flags);
 };
