@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "atom.h"
 #include "host/rod_error.h"
@@ -76,6 +77,18 @@ int FibreJoints::partner_of(int i, bool head, const char *who) const
                   who, update->ntimestep, atom->tag[i], segments_.place(i), segments_.fibre(i),
                   head ? "head" : "tail");
   return partner;
+}
+
+std::vector<int> FibreJoints::at(int fibre, int place) const
+{
+  std::vector<int> found;
+  auto it = std::lower_bound(places_.begin(), places_.end(), std::make_pair(fibre, place),
+                             [](const Place &a, const std::pair<int, int> &wanted) {
+                               return std::make_pair(a.fibre, a.place) < wanted;
+                             });
+  for (; it != places_.end() && it->fibre == fibre && it->place == place; it++)
+    found.push_back(it->index);
+  return found;
 }
 
 void FibreJoints::list_places()

@@ -30,6 +30,9 @@ class FibreJoints : protected Pointers {
 
   const std::vector<Joint> &joints() const { return joints_; }
 
+  // Rods and ghosts that are this segment or an image of it.
+  std::vector<int> at(int fibre, int place) const;
+
   spherocylinder::JointedRod rod(int i) const;
 
  private:

@@ -22,6 +22,7 @@
 #include "styles/compute_contact_spherocylinder.h"
 #include "styles/compute_erotate_spherocylinder.h"
 #include "styles/compute_gran_local_spherocylinder.h"
+#include "styles/compute_joint_local_spherocylinder.h"
 #include "styles/compute_property_atom_spherocylinder.h"
 #include "styles/delete_atoms_spherocylinder.h"
 #include "styles/displace_rods.h"
@@ -150,6 +151,7 @@ void add_styles(LAMMPS *lmp)
 #define ComputeStyle(key, Class) computes[#key] = &create_compute<Class>;
 #include "styles/compute_contact_spherocylinder.h"
 #include "styles/compute_erotate_spherocylinder.h"
+#include "styles/compute_joint_local_spherocylinder.h"
 #undef ComputeStyle
 #undef COMPUTE_CLASS
 #define COMMAND_CLASS
@@ -189,7 +191,7 @@ const char *banner()
          "fix nve/spherocylinder limit/omega check/timestep/spherocylinder "
          "particletemplate/spherocylinder rest/spherocylinder joint/spherocylinder balance, command "
          "balance, "
-         "compute erotate/spherocylinder contact/spherocylinder\n";
+         "compute erotate/spherocylinder contact/spherocylinder joint/spherocylinder/local\n";
 }
 
 }  // namespace spherocylinder

@@ -18,8 +18,19 @@ class FibreSegments {
  public:
   explicit FibreSegments(LAMMPS *) {}
 
-  // Of a row; fibre and place from 1, no fibre: 0. Of the joint at the head: bend and twist without load.
-  enum Column { kFibre, kPlace, kEnds, kBendX, kBendY, kTwist, kColumns };
+  // Of a row; fibre and place from 1, no fibre: 0. Of the joint at the head: bend and twist without load, the
+  // energy that bending it for good has taken and the one it had when it broke (J).
+  enum Column {
+    kFibre,
+    kPlace,
+    kEnds,
+    kBendX,
+    kBendY,
+    kTwist,
+    kPlasticWork,
+    kReleasedEnergy,
+    kColumns
+  };
 
   enum Ends : int {
     kTailJoined = 1,
@@ -37,7 +48,10 @@ class FibreSegments {
     // The same across the joint that makes a ring: of the first two and the last two of the chain.
     kTailPassesRing = 512,
     kHeadPassesRing = 1024,
-    kAllEnds = 2047
+    // The joint at the head broke; and its two rods have not come apart since.
+    kHeadBroken = 2048,
+    kHeadParts = 4096,
+    kAllEnds = 8191
   };
 
   double **rows = nullptr;  // of all rods and ghosts; null without fibres
@@ -53,7 +67,8 @@ class FibreSegments {
     return ((ends(i) & kTailShared) != 0) + ((ends(i) & kHeadShared) != 0);
   }
 
-  // Whether the rods are neighbours at a joint, or next but one and too near to be anything but in touch.
+  // Whether the rods are neighbours at a joint, or next but one and too near to be anything but in touch; or
+  // were, and have overlapped since a joint between them broke.
   bool never_touch(int i, int j) const
   {
     if (!rows || fibre(i) == 0 || fibre(i) != fibre(j)) return false;
@@ -75,9 +90,9 @@ class FibreSegments {
   bool are_too_near(int i, int j) const
   {
     const int between = place(j) - place(i) - 1;
-    if (between == 0 && has(i, kHeadJoined)) return true;
+    if (between == 0 && has(i, kHeadJoined | kHeadParts)) return true;
     if (between == 1 && has(i, kHeadPasses)) return true;
-    if (has(i, kTailCloses) && has(j, kHeadCloses)) return true;
+    if (has(i, kTailCloses) && has(j, kHeadCloses) && has(j, kHeadJoined | kHeadParts)) return true;
     // The first and the last but one, or the second and the last.
     return has(i, kTailPassesRing) && has(j, kHeadPassesRing) &&
            (place(i) == 1) != has(j, kHeadCloses);

@@ -15,11 +15,13 @@
 #include "host/rod_error.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "parallel/from_all_ranks.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "rods/rod_driver.h"
 #include "rods/rod_threads.h"
 #include "styles/fibre_chains.h"
 #include "styles/fix_fibres_spherocylinder.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -42,9 +44,11 @@ double sum_of(const JointChannels &c) { return c.stretch + c.shear + c.bend + c.
 }  // namespace
 
 FixJointSpherocylinder::FixJointSpherocylinder(LAMMPS *lmp, int narg, char **arg)
-    : Fix(lmp, narg, arg), joints_(lmp)
+    : Fix(lmp, narg, arg), joints_(lmp), partings_(lmp)
 {
-  threads_ = &rods_of(lmp, "Fix joint/spherocylinder").attached<RodThreads>();
+  AtomVecSpherocylinder &rods = rods_of(lmp, "Fix joint/spherocylinder");
+  threads_ = &rods.attached<RodThreads>();
+  segments_ = &rods.attached<FibreSegments>();
   if (const Fix *other = modify->find_fix_style_strict(style, 0))
     if (strcmp(other->id, id) != 0)
       rod_error_all(
@@ -56,9 +60,11 @@ FixJointSpherocylinder::FixJointSpherocylinder(LAMMPS *lmp, int narg, char **arg
 
   virial_flag = 1;
   scalar_flag = vector_flag = 1;
-  size_vector = 5;
+  size_vector = 8;
   global_freq = 1;
   extscalar = extvector = 1;
+  force_reneighbor = 1;  // when rods that have come apart are to touch
+  next_reneighbor = -1;
 }
 
 std::string FixJointSpherocylinder::name() const
@@ -98,7 +104,11 @@ void FixJointSpherocylinder::parse(int narg, char **arg)
                                 {"damping_twist", &ratios_.twist, 0.0, true},
                                 {"rest_curvature", &rest_curvature_, kAny, true},
                                 {"rest_twist", &rest_twist_, kAny, true},
-                                {"join", &join_, 0.0, false}};
+                                {"join", &join_, 0.0, false},
+                                {"yield_stress", &yield_stress_, 0.0, false},
+                                {"yield_moment", &yield_moment_, 0.0, false},
+                                {"tensile_strength", &strength_.tensile, 0.0, false},
+                                {"bending_strength", &strength_.bending, 0.0, false}};
     const auto *found = std::find_if(std::begin(keywords), std::end(keywords),
                                      [&](const Keyword &other) { return keyword == other.name; });
     if (found == std::end(keywords))
@@ -106,7 +116,8 @@ void FixJointSpherocylinder::parse(int narg, char **arg)
           lmp,
           "%s: unknown keyword %s (expected youngsModulus, poissonsRatio, stretch_factor, "
           "bend_factor, damping, damping_stretch, damping_shear, damping_bend, "
-          "damping_twist, rest, rest_curvature, rest_twist or join)",
+          "damping_twist, rest, rest_curvature, rest_twist, join, yield_stress, yield_moment, "
+          "tensile_strength or bending_strength)",
           who.c_str(), arg[k]);
     const double value = deck_number(lmp, who, keyword, word);
     if (found->may_be_least ? !(value >= found->least) : !(value > found->least))
@@ -122,6 +133,9 @@ void FixJointSpherocylinder::parse(int narg, char **arg)
     rod_error_all(lmp, "%s: poissonsRatio must be <= 0.5 (got %g)", who.c_str(), poissons_ratio_);
   if (join_ > 0.5)
     rod_error_all(lmp, "%s: join must be <= 0.5 diameters (got %g)", who.c_str(), join_);
+  if (yield_stress_ > 0.0 && yield_moment_ > 0.0)
+    rod_error_all(lmp, "%s: yield_stress and yield_moment say the same; wanted one of them",
+                  who.c_str());
   if (has_curvature && rest_ == Rest::Present)
     rod_error_all(lmp, "%s: rest present leaves no room for rest_curvature and rest_twist",
                   who.c_str());
@@ -177,7 +191,7 @@ void FixJointSpherocylinder::init()
     chains.give_present_rest();
   else
     chains.give_rest(rest_curvature_, rest_twist_);
-  const auto &segments = rods_of(lmp, who.c_str()).attached<FibreSegments>();
+  const FibreSegments &segments = *segments_;
   check_group(segments);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!segments.is_segment(i)) continue;
@@ -241,7 +255,6 @@ void FixJointSpherocylinder::check_same_diameter(int i, int j) const
 void FixJointSpherocylinder::renew()
 {
   joints_.find(name().c_str());
-  const auto &segments = rods_of(lmp, style).attached<FibreSegments>();
   const auto &joints = joints_.joints();
   const size_t count = joints.size();
   constants_.resize(count);
@@ -261,9 +274,12 @@ void FixJointSpherocylinder::renew()
                     ? damping_coefficients(ratios_, c.stiffness,
                                            effective_masses(jointed_mass(i), jointed_mass(j)))
                     : JointChannels{0.0, 0.0, 0.0, 0.0};
-    const double *row = segments.rows[i];
+    const double *row = segments_->rows[i];
     c.rest = {row[S::kBendX], row[S::kBendY], row[S::kTwist]};
+    c.yield_moment =
+        yield_stress_ > 0.0 ? plastic_moment(yield_stress_, atom->shape[i][0]) : yield_moment_;
   }
+  partings_.find(joints_, *segments_);
   find_frequencies();
   seen_builds_ = neighbor->ncalls;
   owned_ = atom->nlocal;
@@ -279,6 +295,9 @@ void FixJointSpherocylinder::add_used_ghosts(std::vector<int> &ghosts) const
   for (const FibreJoints::Joint &joint : joints.joints())
     for (const int i : {joint.first, joint.second})
       if (i >= atom->nlocal) ghosts.push_back(i);
+  FibrePartings partings(lmp);
+  partings.find(joints, *segments_);
+  partings.add_ghosts(ghosts);
 }
 
 // A damper of ratio zeta of the pair has the ratio sqrt(2) zeta in the highest mode of equal rods, and
@@ -307,6 +326,11 @@ void FixJointSpherocylinder::find_frequencies()
 void FixJointSpherocylinder::setup(int vflag)
 {
   renew();
+  const int mine = !partings_.empty();
+  int any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  any_partings_ = any != 0;
+  reported_ = broken_joints();
   post_force(vflag);
 }
 
@@ -330,6 +354,131 @@ void FixJointSpherocylinder::compute_load(int k)
               {load(atom->v[j]), load(atom->omega[j])}, d, c.damping, loads_[k]);
 }
 
+void FixJointSpherocylinder::compute_loads()
+{
+  threads_->run_over(joints(), kFewestJoints, [&](int begin, int end) {
+    for (int k = begin; k < end; k++) compute_load(k);
+    if (is_plastic())
+      for (int k = begin; k < end; k++) yield(k);
+  });
+}
+
+// Ranks that share a joint come to the same bits: a bend depends on the rods' orientations alone.
+void FixJointSpherocylinder::yield(int k)
+{
+  Constants &c = constants_[k];
+  if (!yields(strains_[k], c.rest, c.stiffness.bend, c.yield_moment)) return;
+  const JointRest before = c.rest;
+  c.rest = rest_after_yielding(strains_[k], before, c.stiffness.bend, c.yield_moment);
+  double *row = segments_->rows[joints_.joints()[k].first];
+  row[S::kBendX] = c.rest.bend_x;
+  row[S::kBendY] = c.rest.bend_y;
+  row[S::kPlasticWork] += plastic_work(before, c.rest, c.yield_moment);
+  compute_load(k);
+}
+
+// This rank's: of joints whose first rod it owns.
+std::vector<EndsChange> FixJointSpherocylinder::changes_of_ends()
+{
+  std::vector<EndsChange> changes;
+  partings_.add_parted(changes);
+  if (!strength_.is_finite()) return changes;
+  for (int k = 0; k < joints(); k++) {
+    const int i = joints_.joints()[k].first;
+    const Constants &c = constants_[k];
+    if (i >= atom->nlocal ||
+        utilisation(strains_[k], c.rest, c.stiffness, atom->shape[i][0], strength_) < 1.0)
+      continue;
+    changes.push_back(EndsChange::broken(*segments_, i, joints_.joints()[k].second));
+    segments_->rows[i][S::kReleasedEnergy] =
+        sum_of(joint_energies(strains_[k], c.stiffness, c.rest));
+  }
+  return changes;
+}
+
+// Joints break, and rods that lay in each other come apart. A joint's owner decides and all ranks hear of it: a
+// stretch across a periodic boundary is not the same in the last digit on both sides. Rods are exchanged anew in
+// the next step, with what touches then.
+void FixJointSpherocylinder::part()
+{
+  static_assert(sizeof(EndsChange) == 7 * sizeof(int), "sent as so many ints");
+  const std::vector<EndsChange> changes = changes_of_ends();
+  const int mine = !changes.empty();
+  int any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (!any) return;
+
+  const int *ints = reinterpret_cast<const int *>(changes.data());
+  const std::vector<int> all =
+      from_all_ranks(world, std::vector<int>(ints, ints + 7 * changes.size()));
+  bool breaks = false;
+  for (size_t k = 0; k < all.size(); k += 7) {
+    const EndsChange change = {all[k],
+                               {all[k + 1], all[k + 2], all[k + 3]},
+                               {all[k + 4], all[k + 5], all[k + 6]}};
+    for (const EndsChange::OfRod &rod : {change.first, change.second})
+      for (const int i : joints_.at(change.fibre, rod.place))
+        segments_->rows[i][S::kEnds] = (segments_->ends(i) & ~rod.cleared) | rod.set;
+    breaks = breaks || (change.first.set & S::kHeadBroken);
+  }
+  segments_->changes++;
+  any_partings_ = true;
+  next_reneighbor = update->ntimestep + 1;
+  renew();
+  if (!breaks) return;
+  compute_loads();
+  report_broken(broken_joints());
+}
+
+double FixJointSpherocylinder::sum_of_rows(double (*value)(const FibreSegments &, int)) const
+{
+  double mine = 0.0, all = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (segments_->is_segment(i)) mine += value(*segments_, i);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixJointSpherocylinder::broken_joints() const
+{
+  return sum_of_rows([](const FibreSegments &segments, int i) {
+    return (segments.ends(i) & S::kHeadBroken) != 0 ? 1.0 : 0.0;
+  });
+}
+
+// The first, and each time that there are twice as many.
+void FixJointSpherocylinder::report_broken(double now)
+{
+  if (now < 2.0 * reported_) return;
+  reported_ = now;
+  if (comm->me != 0) return;
+  for (FILE *out : {screen, logfile})
+    if (out)
+      fprintf(out, "%s: at step " BIGINT_FORMAT " %.0f joints have broken\n", name().c_str(),
+              update->ntimestep, now);
+}
+
+void FixJointSpherocylinder::post_run()
+{
+  if (!strength_.is_finite()) return;
+  const double now = broken_joints();
+  if (now == reported_) return;
+  reported_ = 0.0;
+  report_broken(now);
+}
+
+FixJointSpherocylinder::State FixJointSpherocylinder::state(int k) const
+{
+  const int i = joints_.joints()[k].first, j = joints_.joints()[k].second;
+  return {i,
+          j,
+          loads_[k],
+          strains_[k],
+          constants_[k].stiffness,
+          constants_[k].rest,
+          beam_half(i).half_length + beam_half(j).half_length};
+}
+
 // Joints are worked out by all threads, and added in their order by one.
 void FixJointSpherocylinder::post_force(int vflag)
 {
@@ -337,11 +486,10 @@ void FixJointSpherocylinder::post_force(int vflag)
   if (has_new_lists || seen_rods_ != atom->nlocal + atom->nghost) renew();
   if (vflag) v_setup(vflag);
   evflag = vflag != 0;
-  const auto &joints = joints_.joints();
-  threads_->run_over(static_cast<int>(joints.size()), kFewestJoints, [&](int begin, int end) {
-    for (int k = begin; k < end; k++) compute_load(k);
-  });
+  compute_loads();
+  if (any_partings_ || strength_.is_finite()) part();
 
+  const auto &joints = joints_.joints();
   const int nlocal = atom->nlocal;
   for (int k = 0; k < static_cast<int>(joints.size()); k++) {
     const int i = joints[k].first, j = joints[k].second;
@@ -389,9 +537,17 @@ double FixJointSpherocylinder::compute_scalar()
   return all;
 }
 
-// 1 to 4: energy of stretch, shear, bend, twist (J); 5: joints
+// 1 to 4: energy of stretch, shear, bend, twist (J); 5: joints; 6: energy that bending for good took (J); 7:
+// broken joints; 8: the energy they had (J)
 double FixJointSpherocylinder::compute_vector(int n)
 {
+  using Segments = const FibreSegments &;
+  if (n == 5)
+    return sum_of_rows([](Segments segments, int i) { return segments.rows[i][S::kPlasticWork]; });
+  if (n == 6) return broken_joints();
+  if (n == 7)
+    return sum_of_rows(
+        [](Segments segments, int i) { return segments.rows[i][S::kReleasedEnergy]; });
   double joints = 0.0;
   for (const FibreJoints::Joint &joint : joints_.joints()) joints += joint.first < owned_;
   const JointChannels e = energy();

@@ -12,9 +12,11 @@ FixStyle(joint/spherocylinder, FixJointSpherocylinder)
 #include <vector>
 
 #include "core/joint_constants.h"
+#include "core/joint_strength.h"
 #include "core/rod_joint.h"
 #include "fix.h"
 #include "lists/fibre_joints.h"
+#include "lists/fibre_partings.h"
 #include "rods/ghost_user.h"
 
 namespace LAMMPS_NS {
@@ -23,7 +25,8 @@ class FibreSegments;
 class RodThreads;
 
 // Holds the segments of flexible fibres together: the elastic joints of core/rod_joint.h, measured anew
-// from the poses of rods and ghosts in each step. Each rank adds to its own rods only.
+// from the poses of rods and ghosts in each step. Each rank adds to its own rods only. What is not elastic, the
+// bend without load after yielding and which joints broke, is in the rods' rows of FibreSegments.
 class FixJointSpherocylinder : public Fix, public GhostUser {
  public:
   FixJointSpherocylinder(LAMMPS *lmp, int narg, char **arg);
@@ -32,6 +35,7 @@ class FixJointSpherocylinder : public Fix, public GhostUser {
   void init() override;
   void setup(int vflag) override;
   void post_force(int vflag) override;
+  void post_run() override;
   double compute_scalar() override;
   double compute_vector(int n) override;
   void add_used_ghosts(std::vector<int> &ghosts) const override;
@@ -40,11 +44,25 @@ class FixJointSpherocylinder : public Fix, public GhostUser {
   // counted; as of the last step.
   double squared_frequency(int i) const { return squared_frequency_[i]; }
 
+  // A joint as of the last step: its two rods, the load on the first, what is energy and what it is without
+  // load.
+  struct State {
+    int first, second;
+    const spherocylinder::JointLoad &load;
+    const spherocylinder::JointStrain &strain;
+    const spherocylinder::JointChannels &stiffness;
+    const spherocylinder::JointRest &rest;
+    double distance;  // of joints (m)
+  };
+  int joints() const { return static_cast<int>(joints_.joints().size()); }
+  State state(int k) const;
+
  private:
   enum class Rest { Straight, Present };
 
   FibreJoints joints_;
   const RodThreads *threads_ = nullptr;
+  FibreSegments *segments_ = nullptr;
   double youngs_modulus_ = 0.0;  // Pa, 0: property/global youngsModulus, by type
   double poissons_ratio_ = 0.0;
   bool has_poissons_ratio_ = false;
@@ -53,15 +71,21 @@ class FixJointSpherocylinder : public Fix, public GhostUser {
   Rest rest_ = Rest::Straight;
   double rest_curvature_ = 0.0, rest_twist_ = 0.0;  // 1/m, rad/m
   double join_ = 0.0;                               // diameters, 0: nothing
+  double yield_stress_ = 0.0, yield_moment_ = 0.0;  // Pa, N m; both 0: elastic
+  spherocylinder::JointStrength strength_;
 
   // Of each joint in joints_, what stays while rods and ghosts stay where they are in memory.
   struct Constants {
     spherocylinder::JointChannels stiffness, damping;
     spherocylinder::JointRest rest;
+    double yield_moment;  // N m
   };
   std::vector<Constants> constants_;
   std::vector<spherocylinder::JointLoad> loads_;
   std::vector<spherocylinder::JointStrain> strains_;  // in the last step
+  FibrePartings partings_;
+  bool any_partings_ = false;  // on any rank
+  double reported_ = 0.0;      // joints that had broken when the log was last told
   std::vector<double> squared_frequency_;
   std::vector<double> moduli_, ratios_of_types_;  // by type
   int standing_groups_ = 0;
@@ -81,6 +105,14 @@ class FixJointSpherocylinder : public Fix, public GhostUser {
   void renew();
   void find_frequencies();
   void compute_load(int k);
+  void compute_loads();
+  bool is_plastic() const { return yield_stress_ > 0.0 || yield_moment_ > 0.0; }
+  void yield(int k);
+  std::vector<EndsChange> changes_of_ends();
+  void part();
+  double sum_of_rows(double (*value)(const FibreSegments &, int)) const;
+  double broken_joints() const;
+  void report_broken(double now);
   void tally(int k);
 };
 
