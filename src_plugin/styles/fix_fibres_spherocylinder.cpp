@@ -42,6 +42,7 @@ FixFibresSpherocylinder::FixFibresSpherocylinder(LAMMPS *lmp, int narg, char **a
   size_peratom_cols = S::kColumns;
   peratom_freq = 1;
   grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nmax; i++) segments_.clear(i);
   for (const int kind : {0, 1, 2}) atom->add_callback(kind);  // memory, restart, borders
 }
 

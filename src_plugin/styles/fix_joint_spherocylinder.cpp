@@ -451,11 +451,9 @@ void FixJointSpherocylinder::report_broken(double now)
 {
   if (now < 2.0 * reported_) return;
   reported_ = now;
-  if (comm->me != 0) return;
-  for (FILE *out : {screen, logfile})
-    if (out)
-      fprintf(out, "%s: at step " BIGINT_FORMAT " %.0f joints have broken\n", name().c_str(),
-              update->ntimestep, now);
+  if (comm->me == 0)
+    rod_warning(lmp, "%s: at step " BIGINT_FORMAT " %.0f joints of fibres have broken",
+                name().c_str(), update->ntimestep, now);
 }
 
 void FixJointSpherocylinder::post_run()

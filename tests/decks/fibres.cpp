@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <fmt/format.h>
 
@@ -93,6 +94,92 @@ Scene fibre_scene(const Fibre &fibre)
     scene.box_hi[d] = 0.5;
   }
   return scene;
+}
+
+spherocylinder::MassProperties properties_of(const Rod &rod, int shared_ends)
+{
+  return spherocylinder::mass_properties(rod.diameter, rod.length, rod.density, shared_ends);
+}
+
+int shared_ends(int k, int n) { return (k > 0) + (k < n - 1); }
+
+Totals totals_of(const std::vector<Rod> &rods)
+{
+  Totals totals;
+  const int n = static_cast<int>(rods.size());
+  for (int k = 0; k < n; k++) {
+    const Rod &rod = rods[k];
+    const auto p = properties_of(rod, shared_ends(k, n));
+    totals.momentum = totals.momentum + p.mass * rod.velocity;
+    totals.angular_momentum = totals.angular_momentum + p.mass * cross(rod.position, rod.velocity) +
+                              spherocylinder::angular_momentum(rod.omega, rod.axis, p.inertia_axial,
+                                                               p.inertia_transverse);
+  }
+  return totals;
+}
+
+void shake(std::vector<Rod> &rods, double speed, double omega, unsigned prime_seed)
+{
+  std::mt19937_64 engine(prime_seed);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (Rod &rod : rods) {
+    rod.velocity = {speed * any(engine), speed * any(engine), speed * any(engine)};
+    rod.omega = {omega * any(engine), omega * any(engine), omega * any(engine)};
+  }
+}
+
+Scene tangle(const std::string &keywords)
+{
+  Fibre fibre;
+  fibre.segments = 7;
+  fibre.joint_distance = 0.018;
+  Scene scene = fibre_scene(fibre);
+  scene.boundary = "p p p";
+  for (int d = 0; d < 3; d++) {
+    scene.box_lo[d] = -0.08;
+    scene.box_hi[d] = 0.08;
+  }
+  scene.rods.clear();
+  for (int f = 0; f < 24; f++) {
+    const double azimuth = 2.4 * f;
+    const Vec3 along = {std::cos(azimuth), std::sin(azimuth), 0.0};
+    const Vec3 across = {-std::sin(azimuth), std::cos(azimuth), 0.0};
+    Vec3 end = {0.05 * std::cos(1.3 * f), 0.05 * std::sin(1.3 * f), -0.075 + 0.0064 * f};
+    for (int k = 0; k < fibre.segments; k++) {
+      Rod rod = straight_rods(fibre, end, along)[0];
+      const double angle = 0.12 * (k - 3) * (f % 3 - 1);
+      rod.axis = std::cos(angle) * along + std::sin(angle) * across;
+      rod.position = end + (0.5 * fibre.joint_distance) * rod.axis;
+      end = end + fibre.joint_distance * rod.axis;
+      const double *lo = scene.box_lo, *hi = scene.box_hi;
+      const auto wrapped = [&](double x, int d) {
+        return x < lo[d] ? x + hi[d] - lo[d] : x >= hi[d] ? x - hi[d] + lo[d] : x;
+      };
+      rod.position = {wrapped(rod.position.x, 0), wrapped(rod.position.y, 1),
+                      wrapped(rod.position.z, 2)};
+      scene.rods.push_back(rod);
+    }
+  }
+  shake(scene.rods, 0.7, 5.0, 49979687);
+  scene.physics = fibre_physics(fibre, keywords) + "fix weight all gravity 9.81 vector 1 2 -5\n";
+  scene.steps = 1000;
+  scene.dump_every = 250;
+  return scene;
+}
+
+double difference_in_period(const Scene &scene, const std::vector<Frame> &a,
+                            const std::vector<Frame> &b)
+{
+  double worst = a.size() == b.size() && !a.empty() ? 0.0 : spherocylinder::none;
+  for (size_t f = 0; f < a.size(); f++)
+    for (size_t k = 0; k < a[f].rods.size(); k++) {
+      const Vec3 d = a[f].rods[k].position - b[f].rods[k].position;
+      const double period = scene.box_hi[0] - scene.box_lo[0];
+      for (const double x : {d.x, d.y, d.z})
+        worst = std::max(worst, std::fabs(x - period * std::round(x / period)));
+      worst = std::max(worst, norm(a[f].rods[k].axis - b[f].rods[k].axis));
+    }
+  return worst;
 }
 
 }  // namespace decks

@@ -47,4 +47,25 @@ long steps_to_rest(const Fibre &fibre, double length, double slower = 1.0);
 
 Scene fibre_scene(const Fibre &fibre);
 
+spherocylinder::MassProperties properties_of(const Rod &rod, int shared_ends);
+
+// Of a chain's k-th of n rods.
+int shared_ends(int k, int n);
+
+struct Totals {
+  Vec3 momentum{0.0, 0.0, 0.0}, angular_momentum{0.0, 0.0, 0.0};
+};
+
+// About the origin; one fibre, whose rods are all there is.
+Totals totals_of(const std::vector<Rod> &rods);
+
+void shake(std::vector<Rod> &rods, double speed, double omega, unsigned prime_seed);
+
+// Curled fibres in a periodic box, which lie across subdomains and boundaries and touch each other.
+Scene tangle(const std::string &keywords = "damping 0.1");
+
+// Places apart by whole periods are the same.
+double difference_in_period(const Scene &scene, const std::vector<Frame> &a,
+                            const std::vector<Frame> &b);
+
 }  // namespace decks
