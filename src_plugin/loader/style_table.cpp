@@ -34,6 +34,7 @@
 #include "styles/fix_fibres_spherocylinder.h"
 #include "styles/fix_freeze_spherocylinder.h"
 #include "styles/fix_heat_gran_spherocylinder.h"
+#include "styles/fix_hinge_spherocylinder.h"
 #include "styles/fix_insert_spherocylinder.h"
 #include "styles/fix_joint_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
@@ -126,6 +127,7 @@ void add_styles(LAMMPS *lmp)
 #include "styles/fix_balance.h"
 #include "styles/fix_check_timestep_spherocylinder.h"
 #include "styles/fix_fibres_spherocylinder.h"
+#include "styles/fix_hinge_spherocylinder.h"
 #include "styles/fix_joint_spherocylinder.h"
 #include "styles/fix_limit_omega.h"
 #include "styles/fix_nve_spherocylinder.h"
@@ -189,7 +191,8 @@ const char *banner()
   return "Sphero-cylinders for LIGGGHTS " SPHEROCYLINDER_VERSION
          ": atom_style spherocylinder, surface spherocylinder, model linear, "
          "fix nve/spherocylinder limit/omega check/timestep/spherocylinder "
-         "particletemplate/spherocylinder rest/spherocylinder joint/spherocylinder balance, command "
+         "particletemplate/spherocylinder rest/spherocylinder joint/spherocylinder hinge/spherocylinder "
+         "balance, command "
          "balance, "
          "compute erotate/spherocylinder contact/spherocylinder joint/spherocylinder/local\n";
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "atom.h"
 #include "comm.h"
@@ -14,6 +15,7 @@
 #include "host/rod_error.h"
 #include "modify.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "styles/fix_hinge_spherocylinder.h"
 #include "styles/fix_joint_spherocylinder.h"
 #include "update.h"
 
@@ -90,10 +92,15 @@ void FixCheckTimestepSpherocylinder::end_of_step()
   contacts()->leave(rates_);
   const auto *joints = dynamic_cast<const FixJointSpherocylinder *>(
       modify->find_fix_style_strict("joint/spherocylinder", 0));
+  std::vector<const FixHingeSpherocylinder *> hinges;
+  for (int k = 0; k < modify->nfix; k++)
+    if (const auto *hinge = dynamic_cast<const FixHingeSpherocylinder *>(modify->fix[k]))
+      hinges.push_back(hinge);
   double local[3] = {0.0, 0.0, largest_surface_move()}, all[3];
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double of_joints = joints ? joints->squared_frequency(i) : 0.0;
+    double of_joints = joints ? joints->squared_frequency(i) : 0.0;
+    for (const FixHingeSpherocylinder *hinge : hinges) of_joints += hinge->squared_frequency(i);
     local[0] = std::max(local[0], rates_.squared_frequency(i) + of_joints);
     local[1] = std::max(local[1], static_cast<double>(rates_.contacts(i)));
   }

@@ -44,6 +44,12 @@ class FixJointSpherocylinder : public Fix, public GhostUser {
   // counted; as of the last step.
   double squared_frequency(int i) const { return squared_frequency_[i]; }
 
+  // Across, of a joint between two rods like rod i (N/m).
+  double shear_stiffness(int i) const
+  {
+    return stretch_factor_ * joint_stiffness(beam_half(i), beam_half(i)).shear;
+  }
+
   // A joint as of the last step: its two rods, the load on the first, what is energy and what it is without
   // load.
   struct State {
