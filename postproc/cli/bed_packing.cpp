@@ -42,9 +42,10 @@ void need_inner_heights(double floor, double bottom, double top)
 }
 
 // What holds the bed, as box with walls if it is one.
-void measure_in_box(const Bed &bed, const PackingOptions &options,
-                    const std::vector<Overlap> &overlaps, double thinnest, BedPacking &p)
+void measure_in_box(const BedSolid &solid, const PackingOptions &options, double thinnest,
+                    BedPacking &p)
 {
+  const Bed &bed = solid.bed;
   if (options.inner.radius) throw InputError("--inner-radius: wanted with --vessel-radius only");
   need_rods_inside(bed, *options.box);
   UprightBox whole = *options.box;
@@ -62,7 +63,7 @@ void measure_in_box(const Bed &bed, const PackingOptions &options,
              p.rods_volume / space,
              0.0,
              (p.rods_volume - p.overlap_volume) / space};
-  p.clipped = pack_box(bed, whole, overlaps, options.tolerance);
+  p.clipped = pack_box(solid, whole, options.tolerance);
 
   const double cut = 0.5 * (1.0 - std::cbrt(0.5));  // off each side, leaves half the volume
   UprightBox inner = shrunk(cut * (whole.x_high - whole.x_low), cut * (whole.y_high - whole.y_low),
@@ -70,12 +71,79 @@ void measure_in_box(const Bed &bed, const PackingOptions &options,
   inner.z_low = options.inner.bottom.value_or(inner.z_low);
   inner.z_high = options.inner.top.value_or(inner.z_high);
   need_inner_heights(whole.z_low, inner.z_low, inner.z_high);
-  p.inner = pack_box(bed, inner, overlaps, options.tolerance);
+  p.inner = pack_box(solid, inner, options.tolerance);
 
   const UprightBox bulk = shrunk(p.bulk_margin, p.bulk_margin, p.bulk_margin);
   if (std::min({bulk.x_high - bulk.x_low, bulk.y_high - bulk.y_low, bulk.z_high - bulk.z_low}) >=
       thinnest)
-    p.bulk = pack_box(bed, bulk, overlaps, options.tolerance);
+    p.bulk = pack_box(solid, bulk, options.tolerance);
+}
+
+std::vector<Rod> balls_of(const std::vector<SharedEnd> &shared)
+{
+  std::vector<Rod> balls;
+  for (const SharedEnd &end : shared) balls.push_back(end.ball);
+  return balls;
+}
+
+void take_off(const std::vector<ProfileBin> &part, std::vector<ProfileBin> &bins)
+{
+  for (std::size_t k = 0; k < bins.size(); k++) {
+    bins[k].solid -= part[k].solid;
+    bins[k].error += part[k].error;
+  }
+}
+
+// What is shared beside the balls counts in the bin of their centres; it is an error in all bins that
+// share it. The last bin holds all beyond it, as of the distance from walls.
+template <class Coordinate>  // of a place: as the edges have it
+void take_off_beyond(const std::vector<SharedEnd> &shared, const std::vector<double> &edges,
+                     Coordinate coordinate, std::vector<ProfileBin> &bins)
+{
+  const auto bin_of = [&](double at) {
+    const auto above = std::upper_bound(edges.begin(), edges.end(), at) - edges.begin();
+    return std::clamp<std::ptrdiff_t>(above - 1, -1, static_cast<std::ptrdiff_t>(bins.size()));
+  };
+  const auto last = static_cast<std::ptrdiff_t>(bins.size()) - 1;
+  for (const SharedEnd &end : shared) {
+    const double at = coordinate(end.ball.capsule.segment.centre);
+    const std::ptrdiff_t first = bin_of(at - end.reach), to = bin_of(at + end.reach);
+    const std::ptrdiff_t own = bin_of(at);
+    if (own >= 0 && own <= last) {
+      bins[own].solid -= end.beyond.value;
+      bins[own].error += end.beyond.error;
+    }
+    if (first == to) continue;
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(first, 0); k <= std::min(to, last); k++)
+      bins[k].error += std::abs(end.beyond.value);
+  }
+}
+
+auto height_above(double floor)
+{
+  return [floor](const Vec3 &place) { return place.z - floor; };
+}
+
+// Layers, the ends that segments share counted once.
+std::vector<ProfileBin> height_bins(const std::vector<Rod> &rods,
+                                    const std::vector<SharedEnd> &shared, double section,
+                                    double floor, const std::vector<double> &edges)
+{
+  std::vector<ProfileBin> bins = height_profile(rods, section, floor, edges);
+  if (shared.empty()) return bins;
+  take_off(height_profile(balls_of(shared), section, floor, edges), bins);
+  take_off_beyond(shared, edges, height_above(floor), bins);
+  return bins;
+}
+
+std::vector<SharedEnd> ends_between(const std::vector<SharedEnd> &shared, double low, double high)
+{
+  std::vector<SharedEnd> found;
+  for (const SharedEnd &end : shared) {
+    const double z = end.ball.capsule.segment.centre.z;
+    if (z >= low && z <= high) found.push_back(end);
+  }
+  return found;
 }
 
 // A vessel with a wall, or a box periodic in x and y, from the floor up to the highest centre.
@@ -103,17 +171,20 @@ class Container {
   bool is_closed() const { return !has_wall() && bed_.frame.periodic[2]; }  // periodic in z too
   const UprightCylinder &whole() const { return whole_; }
 
-  RegionPacking pack(const UprightCylinder &region) const
+  RegionPacking pack(const UprightCylinder &region, const BedSolid &solid) const
   {
     if (!(region.z_high > region.z_low && region.radius > 0.0))
       return {none, none, none, none, none, none, none};
     const double space = volume(region);
     if (has_wall()) {
-      const SolidFraction found = solid_fraction(bed_.rods, region, tolerance_);
-      return {region.radius, region.z_low, region.z_high, space, found.fraction, found.error, none};
+      const BoundedVolume found = solid_within(solid, region, tolerance_);
+      return {region.radius, region.z_low,        region.z_high, space, found.value / space,
+              found.error / space, none};
     }
-    const auto below = volumes_below(bed_.rods, {region.z_low, region.z_high});
-    return {none, region.z_low, region.z_high, space, (below[1] - below[0]) / space, 0.0, none};
+    const auto layer = height_bins(bed_.rods, solid.shared, 1.0, 0.0,
+                                   {region.z_low, region.z_high})[0];
+    return {none, region.z_low, region.z_high, space, layer.solid / space, layer.error / space,
+            none};
   }
 
   // The overlaps in the region taken off once.
@@ -189,12 +260,13 @@ double mean_diameter(const std::vector<Rod> &rods)
 }
 
 // Rods of a box periodic in z, and the images of those that reach over its top or bottom.
-std::vector<Rod> with_images(const Bed &bed)
+std::vector<Rod> with_images(std::vector<Rod> rods, const DumpFrame &frame)
 {
-  std::vector<Rod> rods = bed.rods;
-  const auto [low, high] = bed.frame.box[2];
+  const std::size_t count = rods.size();
+  const auto [low, high] = frame.box[2];
   const double side = high - low;
-  for (Rod rod : bed.rods) {
+  for (std::size_t i = 0; i < count; i++) {
+    Rod rod = rods[i];
     Segment &segment = rod.capsule.segment;
     const double up = segment.half_length * std::abs(segment.axis.z) + rod.capsule.radius;
     const double z = segment.centre.z;
@@ -208,6 +280,21 @@ std::vector<Rod> with_images(const Bed &bed)
   return rods;
 }
 
+std::vector<SharedEnd> with_images(std::vector<SharedEnd> ends, const DumpFrame &frame)
+{
+  const std::size_t count = ends.size();
+  for (std::size_t k = 0; k < count; k++) {
+    Rod whole = ends[k].ball;
+    whole.capsule.radius = ends[k].reach;
+    const std::vector<Rod> images = with_images({whole}, frame);
+    for (std::size_t i = 1; i < images.size(); i++) {
+      ends.push_back(ends[k]);
+      ends.back().ball.capsule.segment.centre = images[i].capsule.segment.centre;
+    }
+  }
+  return ends;
+}
+
 }  // namespace
 
 BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
@@ -215,37 +302,39 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   const std::vector<Rod> &rods = bed.rods;
   BedPacking p{};
   p.step = bed.frame.step;
-  p.height = bed_height(rods);
-  const std::vector<Vec3> axes = axes_of(rods);
+  p.height = height_of(bed);
+  const std::vector<Vec3> axes = axes_of(bodies_with_axis(bed));
   p.rods = rods.size();
-  p.spheres = rods.size() - axes.size();
-  p.lambda = aspect_ratios(rods);
+  p.spheres = rods.size() - axes_of(rods).size();
+  p.has_axes = !axes.empty();
+  p.lambda = aspect_ratios(bed.bodies());
+  if (bed.fibres.are_there()) p.fibres = fibre_shapes(rods, bed.fibres);
   p.mean_elevation_deg = axes.empty() ? none : mean_elevation(axes).mean * degrees;
   p.mean_sin_gamma = axes.size() < 2 ? none : mean_sin_gamma(axes);
 
-  p.rods_volume = total_volume(rods);
-  const std::vector<Overlap> overlaps = overlaps_of(bed);
-  p.overlaps = overlaps.size();
-  for (const Overlap &overlap : overlaps) {
+  const BedSolid solid(bed);
+  p.rods_volume = solid.volume();
+  p.overlaps = solid.overlaps.size();
+  for (const Overlap &overlap : solid.overlaps) {
     p.overlap_volume += overlap.volume.value;
     p.overlap_error += overlap.volume.error;
   }
-  p.bulk_margin = options.bulk_margin.value_or(mean_half_length(rods));
+  p.bulk_margin = options.bulk_margin.value_or(mean_half_length(bed.bodies()));
   const RegionPacking nowhere{none, none, none, none, none, none, none};
   p.whole = p.clipped = p.inner = p.bulk = p.region = nowhere;
   if (options.region) {
     if (bed.frame.box_is_tilted) periodicity_of(bed.frame);  // refused if it is periodic too
     p.region = options.mesh
-                   ? pack_part(bed, *options.mesh, *options.region, overlaps, options.tolerance)
-                   : pack_box(bed, *options.region, overlaps, options.tolerance);
+                   ? pack_part(solid, *options.mesh, *options.region, options.tolerance)
+                   : pack_box(solid, *options.region, options.tolerance);
     if (!options.holds_bed(bed.frame)) return p;
   }
   if (options.box) {
-    measure_in_box(bed, options, overlaps, mean_diameter(rods), p);
+    measure_in_box(solid, options, mean_diameter(rods), p);
     return p;
   }
   if (options.mesh) {
-    measure_in_mesh(bed, options, overlaps, mean_diameter(rods), p);
+    measure_in_mesh(solid, options, mean_diameter(rods), p);
     return p;
   }
   const Container container(bed, options, p.height);
@@ -259,15 +348,15 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
              0.0,
              (p.rods_volume - p.overlap_volume) / space};
   if (container.is_closed()) return p;  // no wall, floor or surface to keep clear of
-  p.clipped = container.pack(whole);
-  p.inner = container.pack(inner_region(container, options.inner));
-  p.bulk = container.pack(bulk_region(container, p.bulk_margin, mean_diameter(rods)));
+  p.clipped = container.pack(whole, solid);
+  p.inner = container.pack(inner_region(container, options.inner), solid);
+  p.bulk = container.pack(bulk_region(container, p.bulk_margin, mean_diameter(rods)), solid);
   for (RegionPacking *region : {&p.clipped, &p.inner, &p.bulk})
-    container.take_off(overlaps, *region);
+    container.take_off(solid.overlaps, *region);
   return p;
 }
 
-Fields<BedPacking> packing_fields()
+Fields<BedPacking> packing_fields(bool with_fibres)
 {
   using P = BedPacking;
   Fields<P> fields;
@@ -331,19 +420,28 @@ Fields<BedPacking> packing_fields()
   add("vf_random_contact_horizontal", random_contacts(kHorizontalSinGamma));
   add("vf_random_contact_measured",
       [](const P &p) { return random_contact_fraction(p.lambda.mean, p.mean_sin_gamma); });
+  if (!with_fibres) return fields;
+  fields.add("fibres", OverFiles::Sum, [](const P &p) { return p.fibres ? p.fibres->fibres : 0; });
+  fields.add("segments", OverFiles::Sum,
+             [](const P &p) { return p.fibres ? p.fibres->segments : 0; });
+  fields.add("rings", OverFiles::Sum, [](const P &p) { return p.fibres ? p.fibres->rings : 0; });
+  fields.add("parts_of_fibres", OverFiles::Sum,
+             [](const P &p) { return p.fibres ? p.fibres->parts : 0; });
   return fields;
 }
 
 PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, double width)
 {
-  const BedHeight height = bed_height(bed.rods);
+  const BedHeight height = height_of(bed);
+  const std::vector<SharedEnd> shared = shared_ends(bed.rods, bed.fibres);
   const auto top_bin = [&](double floor) {
     return width * std::ceil((height.highest_point - floor) / width);
   };
   if (options.box) {
     const UprightBox &box = *options.box;
     const double section = (box.x_high - box.x_low) * (box.y_high - box.y_low);
-    return {height_profile(bed.rods, section, box.z_low, bin_edges(0.0, top_bin(box.z_low), width)),
+    return {height_bins(bed.rods, shared, section, box.z_low,
+                        bin_edges(0.0, top_bin(box.z_low), width)),
             {},
             {}};
   }
@@ -351,24 +449,48 @@ PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, 
     const ClosedMesh &mesh = options.mesh->mesh;
     const double floor = mesh.bounds().z_low, top = mesh.bounds().z_high;
     const double last = width * std::ceil((std::min(height.highest_point, top) - floor) / width);
-    return {height_profile(bed.rods, mesh, bin_edges(0.0, last, width)), {}, {}};
+    const std::vector<double> edges = bin_edges(0.0, last, width);
+    PackingProfiles of_mesh{height_profile(bed.rods, mesh, edges), {}, {}};
+    if (!shared.empty()) {
+      take_off(height_profile(balls_of(shared), mesh, edges), of_mesh.height);
+      take_off_beyond(shared, edges, height_above(floor), of_mesh.height);
+    }
+    return of_mesh;
   }
   const Container container(bed, options, height);
   const UprightCylinder &whole = container.whole();
   const double section = volume(whole) / (whole.z_high - whole.z_low);
   PackingProfiles profiles;
   if (container.is_closed()) {
-    profiles.height = height_profile(with_images(bed), section, whole.z_low,
-                                     bin_edges(0.0, whole.z_high - whole.z_low, width));
+    const std::vector<double> edges = bin_edges(0.0, whole.z_high - whole.z_low, width);
+    profiles.height =
+        height_profile(with_images(bed.rods, bed.frame), section, whole.z_low, edges);
+    if (!shared.empty()) {
+      const std::vector<SharedEnd> images = with_images(shared, bed.frame);
+      take_off(height_profile(balls_of(images), section, whole.z_low, edges), profiles.height);
+      take_off_beyond(images, edges, height_above(whole.z_low), profiles.height);
+    }
     return profiles;
   }
-  profiles.height =
-      height_profile(bed.rods, section, whole.z_low, bin_edges(0.0, top_bin(whole.z_low), width));
+  profiles.height = height_bins(bed.rods, shared, section, whole.z_low,
+                                bin_edges(0.0, top_bin(whole.z_low), width));
   if (!container.has_wall()) return profiles;
-  profiles.radius =
-      radius_profile(bed.rods, whole, bin_edges(0.0, whole.radius, width), options.tolerance);
+  const std::vector<double> radii = bin_edges(0.0, whole.radius, width);
   const double furthest = std::min(whole.radius, whole.z_high - whole.z_low);
-  profiles.wall = wall_profile(bed.rods, whole, bin_edges(0.0, furthest, width), options.tolerance);
+  const std::vector<double> distances = bin_edges(0.0, furthest, width);
+  profiles.radius = radius_profile(bed.rods, whole, radii, options.tolerance);
+  profiles.wall = wall_profile(bed.rods, whole, distances, options.tolerance);
+  if (shared.empty()) return profiles;
+  const std::vector<Rod> balls = balls_of(shared);
+  take_off(radius_profile(balls, whole, radii, options.tolerance), profiles.radius);
+  take_off(wall_profile(balls, whole, distances, options.tolerance), profiles.wall);
+  const std::vector<SharedEnd> within = ends_between(shared, whole.z_low, whole.z_high);
+  const auto from_axis = [&](const Vec3 &p) { return std::hypot(p.x - whole.x, p.y - whole.y); };
+  take_off_beyond(within, radii, from_axis, profiles.radius);
+  take_off_beyond(
+      within, distances,
+      [&](const Vec3 &p) { return std::min(whole.radius - from_axis(p), p.z - whole.z_low); },
+      profiles.wall);
   return profiles;
 }
 

@@ -49,11 +49,13 @@ struct AspectRatios {
 struct BedPacking {
   std::int64_t step;
   std::size_t rods, spheres;
-  AspectRatios lambda;
-  double mean_elevation_deg;  // NaN if all are spheres, as mean_sin_gamma
+  std::optional<FibreShapes> fibres;  // that rods are segments of
+  AspectRatios lambda;  // of whole fibres
+  bool has_axes;              // not all are spheres, or rings
+  double mean_elevation_deg;  // NaN without any, as mean_sin_gamma
   double mean_sin_gamma;
   BedHeight height;
-  double rods_volume;     // m^3, overlaps counted twice
+  double rods_volume;     // m^3, overlaps counted twice, ends that segments share once
   std::size_t overlaps;   // pairs that overlap
   double overlap_volume;  // m^3, summed over these pairs
   double overlap_error;   // bound (m^3)
@@ -65,13 +67,14 @@ struct BedPacking {
   RegionPacking region;          // the user's own
   bool vessel_is_convex = true;  // else there is neither inner nor bulk
 
-  bool has_rods() const { return spheres < rods; }  // for which there are theories
+  bool has_rods() const { return has_axes; }  // for which there are theories
 };
 
 // Throws InputError if centres of rods lie outside the vessel or the options do not fit the bed.
 BedPacking measure_packing(const Bed &bed, const PackingOptions &options);
 
-Fields<BedPacking> packing_fields();
+// With those of fibres if there are any.
+Fields<BedPacking> packing_fields(bool with_fibres);
 
 struct PackingProfiles {
   std::vector<ProfileBin> height, radius, wall;  // the latter two empty for a periodic box

@@ -22,6 +22,7 @@ void add_bed_options(CLI::App &app, BedFiles &options)
       ->required();
   app.add_option("--frame", options.frame, "frame to work on: first, last, all or a time step")
       ->capture_default_str();
+  add_fibre_options(app, options.fibres);
 }
 
 namespace {
@@ -68,14 +69,17 @@ void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)
   for (std::size_t file = 0; file < options.dumps.size(); file++) {
     bool any = false;
     for_each_frame(options.dumps[file], choice, [&](const DumpFrame &frame) {
-      Bed bed{frame, rods_of(frame), file};
+      Bed bed{frame, rods_of(frame), file, {}, {}};
       if (bed.rods.empty() && all) return;
       if (bed.rods.empty())
         throw InputError(
             fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
       any = true;
+      bed.fibres = fibres_of(frame, bed.rods, options.fibres);
+      if (bed.fibres.are_there())
+        bed.stretched = fibre_bodies(bed.rods, bed.fibres, Rings::Kept);
       if (options.several()) {
-        const KindOfRods kind(bed.rods);
+        const KindOfRods kind(bed.bodies());
         if (!first) first = kind;
         if (!kind.is_like(*first))
           throw InputError(fmt::format(
@@ -126,6 +130,32 @@ UprightBox box_of(const std::vector<double> &bounds, const std::string &option)
       throw InputError(fmt::format("{}: the upper bound in {} must be above the lower (got {} {})",
                                    option, "xyz"[k / 2], bounds[k], bounds[k + 1]));
   return {bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]};
+}
+
+BedHeight height_of(const Bed &bed)
+{
+  BedHeight height = bed_height(bed.rods);
+  if (bed.fibres.are_there()) height.highest_centre = bed_height(bed.bodies()).highest_centre;
+  return height;
+}
+
+std::string fibre_count_line(const FibreShapes &shapes)
+{
+  std::string line = fmt::format("{:<22} {:8}       of {} segments", "fibres", shapes.fibres,
+                                 shapes.segments);
+  if (shapes.rings > 0) line += fmt::format(", {} rings", shapes.rings);
+  if (shapes.parts > 0) line += fmt::format(", {} are parts of fibres that are cut", shapes.parts);
+  return line;
+}
+
+std::vector<Rod> bodies_with_axis(const Bed &bed)
+{
+  std::vector<Rod> found;
+  for (const Rod &body : bed.fibres.are_there()
+                             ? fibre_bodies(bed.rods, bed.fibres, Rings::LeftOut)
+                             : bed.rods)
+    if (!body.is_sphere()) found.push_back(body);
+  return found;
 }
 
 void need_rods_inside(const Bed &bed, const UprightBox &box)

@@ -10,6 +10,7 @@
 #include "cli/command_line.h"
 #include "io/dump_frame.h"
 #include "io/rods.h"
+#include "measures/fibre_measures.h"
 #include "measures/packing_measures.h"
 
 namespace spherocylinder {
@@ -17,17 +18,24 @@ namespace spherocylinder {
 struct BedFiles {
   std::vector<std::string> dumps;
   std::string frame = "last";
+  FibreOptions fibres;
 
   bool several() const { return dumps.size() > 1; }
 };
 
-// Adds DUMP ... and --frame.
+// Adds DUMP ..., --frame and what tells fibres.
 void add_bed_options(CLI::App &app, BedFiles &options);
 
 struct Bed {
   const DumpFrame &frame;
   std::vector<Rod> rods;  // at least one
   std::size_t file;       // index into the dumps
+  Fibres fibres = {};     // that rods are segments of
+
+  // Fibres, each as the straight rod of its length, and rods of their own: see fibre_bodies.
+  std::vector<Rod> stretched = {};
+
+  const std::vector<Rod> &bodies() const { return fibres.are_there() ? stretched : rods; }
 };
 
 // Calls `work` for each chosen frame of each dump; leaves out frames without rods if all are
@@ -52,6 +60,15 @@ void add_vessel_options(CLI::App &app, VesselOptions &options);
 
 // The box of the six numbers that follow `option`. Throws InputError unless it has an inside.
 UprightBox box_of(const std::vector<double> &bounds, const std::string &option);
+
+// The highest centre is that of a fibre, or of a rod of its own.
+BedHeight height_of(const Bed &bed);
+
+// "fibres              12 of 96 segments, ...", for a table on the screen.
+std::string fibre_count_line(const FibreShapes &shapes);
+
+// Rods no longer than thick and rings have no axis.
+std::vector<Rod> bodies_with_axis(const Bed &bed);
 
 // Throws InputError unless the highest centre lies above the bottom of the vessel or box.
 void need_height(const Bed &bed, const UprightCylinder &whole);

@@ -8,6 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "io/fibres.h"
+
 namespace spherocylinder {
 
 constexpr int kExitBadInput = 2;
@@ -19,6 +21,9 @@ struct InputOptions {
 
 // Adds DUMP and --frame.
 void add_input_options(CLI::App &app, InputOptions &options);
+
+// Adds --fibre-columns and --meet.
+void add_fibre_options(CLI::App &app, FibreOptions &options);
 
 // Checks for numbers, to be used with CLI::Option::check.
 CLI::Validator finite_number();

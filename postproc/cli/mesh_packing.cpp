@@ -42,8 +42,8 @@ MeshVessel read_vessel(const std::string &path)
   return {path, ClosedMesh(mesh)};
 }
 
-RegionPacking pack_part(const Bed &bed, const MeshVessel &vessel, const UprightBox &window,
-                        const std::vector<Overlap> &overlaps, double tolerance)
+RegionPacking pack_part(const BedSolid &solid, const MeshVessel &vessel, const UprightBox &window,
+                        double tolerance)
 {
   const auto part = vessel.mesh.part_within(window);
   if (!part)
@@ -51,12 +51,13 @@ RegionPacking pack_part(const Bed &bed, const MeshVessel &vessel, const UprightB
         "--region: nothing of the vessel {} is in {} {} {} {} {} {}, wanted a part of it",
         vessel.path, window.x_low, window.x_high, window.y_low, window.y_high, window.z_low,
         window.z_high));
-  return pack_mesh(bed, *part, overlaps, tolerance);
+  return pack_mesh(solid, *part, tolerance);
 }
 
-void measure_in_mesh(const Bed &bed, const PackingOptions &options,
-                     const std::vector<Overlap> &overlaps, double thinnest, BedPacking &p)
+void measure_in_mesh(const BedSolid &solid, const PackingOptions &options, double thinnest,
+                     BedPacking &p)
 {
+  const Bed &bed = solid.bed;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const MeshVessel &vessel = *options.mesh;
   if (options.inner.radius || options.inner.bottom || options.inner.top)
@@ -72,7 +73,7 @@ void measure_in_mesh(const Bed &bed, const PackingOptions &options,
     throw InputError(
         fmt::format("{}: step {}: the highest rod centre is at {}, wanted above the floor, {}",
                     bed.frame.path, bed.frame.step, top, bounds.z_low));
-  p.clipped = pack_mesh(bed, *whole, overlaps, options.tolerance);
+  p.clipped = pack_mesh(solid, *whole, options.tolerance);
   p.whole = p.clipped;
   p.whole.fraction = p.rods_volume / p.whole.volume;
   p.whole.net_fraction = (p.rods_volume - p.overlap_volume) / p.whole.volume;
@@ -80,10 +81,10 @@ void measure_in_mesh(const Bed &bed, const PackingOptions &options,
 
   p.vessel_is_convex = whole->is_convex();
   if (!p.vessel_is_convex) return;
-  p.inner = pack_mesh(bed, whole->scaled(std::cbrt(0.5)), overlaps, options.tolerance);
+  p.inner = pack_mesh(solid, whole->scaled(std::cbrt(0.5)), options.tolerance);
   const auto bulk = whole->inset(p.bulk_margin);
   if (bulk && is_as_thick(bulk->bounds(), thinnest))
-    p.bulk = pack_mesh(bed, *bulk, overlaps, options.tolerance);
+    p.bulk = pack_mesh(solid, *bulk, options.tolerance);
 }
 
 }  // namespace spherocylinder

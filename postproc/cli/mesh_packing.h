@@ -13,12 +13,12 @@ namespace spherocylinder {
 MeshVessel read_vessel(const std::string &path);
 
 // The part of the vessel in the window. Throws InputError if there is none.
-RegionPacking pack_part(const Bed &bed, const MeshVessel &vessel, const UprightBox &window,
-                        const std::vector<Overlap> &overlaps, double tolerance);
+RegionPacking pack_part(const BedSolid &solid, const MeshVessel &vessel, const UprightBox &window,
+                        double tolerance);
 
 // Sets whole, clipped, inner and bulk; the bulk is at least `thinnest` wide (m). Throws InputError
 // for centres outside the vessel and for options of round ones.
-void measure_in_mesh(const Bed &bed, const PackingOptions &options,
-                     const std::vector<Overlap> &overlaps, double thinnest, BedPacking &p);
+void measure_in_mesh(const BedSolid &solid, const PackingOptions &options, double thinnest,
+                     BedPacking &p);
 
 }  // namespace spherocylinder

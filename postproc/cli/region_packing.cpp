@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/region_packing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/numbers.h"
@@ -18,7 +19,8 @@ constexpr std::size_t kPairsAPiece = 128;
 constexpr double kOverlapTolerance = 1e-2;
 
 // The rods that reach into the region, and their images over periodic boundaries that do.
-std::vector<Rod> rods_reaching(const Bed &bed, const UprightBox &region)
+std::vector<Rod> rods_reaching(const DumpFrame &frame, const std::vector<Rod> &rods,
+                               const UprightBox &region)
 {
   struct Images {
     int first, last;
@@ -26,14 +28,14 @@ std::vector<Rod> rods_reaching(const Bed &bed, const UprightBox &region)
   };
   const auto images = [&](const Rod &rod, int d, double centre, double axis, double low,
                           double high) -> Images {
-    if (!bed.frame.periodic[d]) return {0, 0, 0.0};
-    const double side = bed.frame.box[d][1] - bed.frame.box[d][0];
+    if (!frame.periodic[d]) return {0, 0, 0.0};
+    const double side = frame.box[d][1] - frame.box[d][0];
     const double reach = rod.capsule.segment.half_length * std::abs(axis) + rod.capsule.radius;
     return {static_cast<int>(std::ceil((low - reach - centre) / side)),
             static_cast<int>(std::floor((high + reach - centre) / side)), side};
   };
   std::vector<Rod> found;
-  for (const Rod &rod : bed.rods) {
+  for (const Rod &rod : rods) {
     const auto &[c, u, half_length] = rod.capsule.segment;
     const Images x = images(rod, 0, c.x, u.x, region.x_low, region.x_high);
     const Images y = images(rod, 1, c.y, u.y, region.y_low, region.y_high);
@@ -67,6 +69,28 @@ bool holds_place(const UprightBox &region, const Vec3 &place)
          place.y <= region.y_high && place.z >= region.z_low && place.z <= region.z_high;
 }
 
+// The ends and their images that reach into the region.
+std::vector<SharedEnd> images_of_ends(const DumpFrame &frame, const std::vector<SharedEnd> &ends,
+                                      const UprightBox &region)
+{
+  std::vector<SharedEnd> found;
+  for (const SharedEnd &end : ends) {
+    Rod whole = end.ball;
+    whole.capsule.radius = end.reach;
+    for (const Rod &image : rods_reaching(frame, {whole}, region)) {
+      found.push_back(end);
+      found.back().ball.capsule.segment.centre = image.capsule.segment.centre;
+    }
+  }
+  return found;
+}
+
+void take_off(const BoundedVolume &part, BoundedVolume &from)
+{
+  from.value -= part.value;
+  from.error += part.error;
+}
+
 RegionPacking packing_of(const UprightBox &bounds, double space, const BoundedVolume &solid,
                          double twice)
 {
@@ -83,7 +107,13 @@ RegionPacking packing_of(const UprightBox &bounds, double space, const BoundedVo
 
 std::vector<Overlap> overlaps_of(const Bed &bed)
 {
-  const auto pairs = close_pairs(bed.rods, periodicity_of(bed.frame), 0.0);
+  auto pairs = close_pairs(bed.rods, periodicity_of(bed.frame), 0.0);
+  if (bed.fibres.are_there())
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                               [&](const ClosePair &pair) {
+                                 return bed.fibres.never_touch(pair.i, pair.j, bed.rods);
+                               }),
+                pairs.end());
   std::vector<Overlap> overlaps(pairs.size());
   for_each_piece(pairs.size(), kPairsAPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; k++) {
@@ -99,26 +129,70 @@ std::vector<Overlap> overlaps_of(const Bed &bed)
   return overlaps;
 }
 
-RegionPacking pack_box(const Bed &bed, const UprightBox &box, const std::vector<Overlap> &overlaps,
-                       double tolerance)
+BedSolid::BedSolid(const Bed &bed_)
+    : bed(bed_), overlaps(overlaps_of(bed_)), shared(shared_ends(bed_.rods, bed_.fibres))
 {
-  double twice = 0.0;
-  for (const Overlap &overlap : overlaps)
-    if (holds_place(box, image_from(box, overlap.place, bed.frame))) twice += overlap.volume.value;
-  return packing_of(box, volume(box), solid_within(rods_reaching(bed, box), box, tolerance), twice);
+  for (const SharedEnd &end : shared) balls.push_back(end.ball);
 }
 
-RegionPacking pack_mesh(const Bed &bed, const ClosedMesh &mesh,
-                        const std::vector<Overlap> &overlaps, double tolerance)
+double BedSolid::volume() const
 {
+  double sum = total_volume(bed.rods) - total_volume(balls);
+  for (const SharedEnd &end : shared) sum -= end.beyond.value;
+  return sum;
+}
+
+BoundedVolume solid_within(const BedSolid &solid, const UprightCylinder &region, double tolerance)
+{
+  BoundedVolume found = solid_within(solid.bed.rods, region, tolerance);
+  if (solid.shared.empty()) return found;
+  take_off(solid_within(solid.balls, region, tolerance), found);
+  take_off_beyond(
+      solid.shared,
+      [&](const Vec3 &p) {
+        return p.z >= region.z_low && p.z < region.z_high &&
+               std::hypot(p.x - region.x, p.y - region.y) < region.radius;
+      },
+      [&](const Capsule &ball) { return !misses(region, ball) && !holds(region, ball); }, found);
+  return found;
+}
+
+RegionPacking pack_box(const BedSolid &solid, const UprightBox &box, double tolerance)
+{
+  const DumpFrame &frame = solid.bed.frame;
+  double twice = 0.0;
+  for (const Overlap &overlap : solid.overlaps)
+    if (holds_place(box, image_from(box, overlap.place, frame))) twice += overlap.volume.value;
+  BoundedVolume found = solid_within(rods_reaching(frame, solid.bed.rods, box), box, tolerance);
+  if (!solid.shared.empty()) {
+    take_off(solid_within(rods_reaching(frame, solid.balls, box), box, tolerance), found);
+    take_off_beyond(
+        images_of_ends(frame, solid.shared, box),
+        [&](const Vec3 &p) { return holds_place(box, p); },
+        [&](const Capsule &ball) { return !misses(box, ball) && !holds(box, ball); }, found);
+  }
+  return packing_of(box, volume(box), found, twice);
+}
+
+RegionPacking pack_mesh(const BedSolid &solid, const ClosedMesh &mesh, double tolerance)
+{
+  const DumpFrame &frame = solid.bed.frame;
   const UprightBox bounds = mesh.bounds();
   double twice = 0.0;
-  for (const Overlap &overlap : overlaps) {
-    const Vec3 place = image_from(bounds, overlap.place, bed.frame);
+  for (const Overlap &overlap : solid.overlaps) {
+    const Vec3 place = image_from(bounds, overlap.place, frame);
     if (holds_place(bounds, place) && mesh.distance(place) <= 0.0) twice += overlap.volume.value;
   }
-  return packing_of(bounds, mesh.volume(),
-                    solid_within(rods_reaching(bed, bounds), mesh, tolerance), twice);
+  BoundedVolume found =
+      solid_within(rods_reaching(frame, solid.bed.rods, bounds), mesh, tolerance);
+  if (!solid.shared.empty()) {
+    take_off(solid_within(rods_reaching(frame, solid.balls, bounds), mesh, tolerance), found);
+    take_off_beyond(
+        images_of_ends(frame, solid.shared, bounds),
+        [&](const Vec3 &p) { return holds_place(bounds, p) && mesh.distance(p) <= 0.0; },
+        [&](const Capsule &ball) { return mesh.place_of(ball) == ClosedMesh::Place::Cut; }, found);
+  }
+  return packing_of(bounds, mesh.volume(), found, twice);
 }
 
 }  // namespace spherocylinder

@@ -79,11 +79,13 @@ void print_theory(const BedPacking &p)
 void print_table(const BedPacking &p)
 {
   fmt::print("step {}: {} rods, lambda {:.4g}", p.step, p.rods, p.lambda.mean);
+  if (p.fibres) fmt::print(" of whole fibres");
   if (p.lambda.several())
     fmt::print(" (number mean; {:.4g} to {:.4g}; theory below is for the mean)", p.lambda.smallest,
                p.lambda.largest);
   if (p.spheres > 0) fmt::print(", {} of them spheres", p.spheres);
   fmt::print("\n");
+  if (p.fibres) fmt::print("  {}\n", fibre_count_line(*p.fibres));
   if (!std::isnan(p.mean_elevation_deg))
     fmt::print("  mean elevation         {:8.2f} deg   (isotropic {:.2f})\n", p.mean_elevation_deg,
                kIsotropicMeanElevation * degrees);
@@ -136,7 +138,7 @@ void run(Options &options)
   if (options.bin && options.profiles.empty())
     throw InputError("--bin: wanted with --profiles only");
 
-  ResultTable<BedPacking> table(options.csv, packing_fields(), several);
+  std::optional<ResultTable<BedPacking>> table;  // once it is known whether there are fibres
   const auto profile_table = [&](const char *name) {
     const std::string &prefix = options.profiles;
     return ResultTable<ProfileRow>(prefix.empty() ? "" : prefix + name, profile_fields(), several);
@@ -154,7 +156,8 @@ void run(Options &options)
     }
     if (several) fmt::print("{}: ", bed.frame.path);
     print_table(result);
-    table.add(result);
+    if (!table) table.emplace(options.csv, packing_fields(result.fibres.has_value()), several);
+    table->add(result);
     if (options.profiles.empty()) return;
     height.add_all(profile_rows(bed, profiles.height));
     if (!packing.vessel) return;
@@ -165,9 +168,9 @@ void run(Options &options)
   });
   if (several) {
     fmt::print("mean and standard error over {} files\n", options.files.dumps.size());
-    table.print_means();
+    table->print_means();
   }
-  table.finish();
+  table->finish();
   height.finish();
   if (radius) radius->finish();
   if (wall) wall->finish();
