@@ -50,23 +50,34 @@ void SharedScatter::begin(const TouchingRodPairs &touching, PairGran &pair, Atom
   atom_ = &atom;
   const std::vector<TouchingRodPairs::Piece> &pieces = touching.pieces();
   if (parts_.size() < pieces.size()) parts_.resize(pieces.size());
+  next_rods_.resize(pieces.size());
   for (size_t k = 0; k < pieces.size(); k++) {
-    parts_[k].first_rod = pieces[k].first_rod;
     parts_[k].next_rod = std::min(pieces[k].next_rod, atom.nlocal);
     parts_[k].next_pair = pieces[k].first;
+    next_rods_[k] = parts_[k].next_rod;
+    parts_[k].later_rods.resize(pieces.size());
+    parts_[k].later.resize(pieces.size());
   }
   if (waits_.size() < static_cast<size_t>(atom.nlocal)) waits_.resize(atom.nlocal, 0);
+}
+
+// Of a rod of a thread after this one, mostly the next.
+int SharedScatter::later_piece_of(int piece, int rod) const
+{
+  do piece++;
+  while (rod >= next_rods_[piece]);
+  return piece;
 }
 
 void SharedScatter::find_later_rods(int piece)
 {
   Part &own = parts_[piece];
-  own.later_rods.clear();
-  own.later.clear();
+  for (std::vector<int> &rods : own.later_rods) rods.clear();
+  for (std::vector<Load> &loads : own.later) loads.clear();
   const auto [first, count, first_rod, next_rod] = touching_->pieces()[piece];
   for (int n = first; n < first + count; n++) {
     const int j = touching_->pair(n).j;
-    if (j >= next_rod && j < atom_->nlocal) own.later_rods.push_back(j);
+    if (j >= next_rod && j < atom_->nlocal) own.later_rods[later_piece_of(piece, j)].push_back(j);
   }
   fetch_next(piece);
 }
@@ -89,8 +100,8 @@ void SharedScatter::find_waiting_rods(int piece)
 {
   Part &own = parts_[piece];
   for (int before = 0; before < piece; before++)
-    for (const int j : parts_[before].later_rods)
-      if (own.has(j) && !waits_[j]) {
+    for (const int j : parts_[before].later_rods[piece])
+      if (!waits_[j]) {
         waits_[j] = 1;
         own.waiting_rods.push_back(j);
       }
@@ -115,7 +126,7 @@ void SharedScatter::add(int piece, const ContactBatch &batch)
     if (j < own.next_rod)
       add_own(j, -force, batch.loads.torque_j.get(k));
     else if (j < owned)
-      own.later.push_back({j, -force, batch.loads.torque_j.get(k)});
+      own.later[later_piece_of(piece, j)].push_back({j, -force, batch.loads.torque_j.get(k)});
   }
   own.next_pair += batch.count;
   fetch_next(piece);
@@ -126,8 +137,8 @@ void SharedScatter::add_to_waiting_rods(int piece)
   const Adder rods(*pair_, *atom_);
   Part &own = parts_[piece];
   for (int before = 0; before < piece; before++)
-    for (const Load &load : parts_[before].later)
-      if (own.has(load.rod)) rods.add(load.rod, load.force, load.torque);
+    for (const Load &load : parts_[before].later[piece])
+      rods.add(load.rod, load.force, load.torque);
   for (const Load &load : own.waiting) rods.add(load.rod, load.force, load.torque);
   own.waiting.clear();
   for (const int rod : own.waiting_rods) waits_[rod] = 0;

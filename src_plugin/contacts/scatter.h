@@ -37,21 +37,23 @@ class SharedScatter {
     spherocylinder::Vec3 force, torque;
   };
   struct alignas(spherocylinder::kCacheLine) Part {
-    int first_rod, next_rod;
-    int next_pair = 0;              // to be added
-    std::vector<int> later_rods;    // of threads after this one, with pairs of this one
+    int next_rod;
+    int next_pair = 0;  // to be added
+    // By thread, those after this one: its rods with pairs of this one, and what they get of these.
+    std::vector<std::vector<int>> later_rods;
+    std::vector<std::vector<Load>> later;
     std::vector<int> waiting_rods;  // of this one, with pairs of threads before
-    std::vector<Load> later, waiting;
-
-    bool has(int rod) const { return first_rod <= rod && rod < next_rod; }
+    std::vector<Load> waiting;
   };
   const TouchingRodPairs *touching_ = nullptr;
   PairGran *pair_ = nullptr;
   Atom *atom_ = nullptr;
   std::vector<Part> parts_;
-  std::vector<char> waits_;  // of each owned rod
+  std::vector<int> next_rods_;  // of each thread, where the next one's begin
+  std::vector<char> waits_;     // of each owned rod
 
   void fetch_next(int piece) const;
+  int later_piece_of(int piece, int rod) const;
 };
 
 }  // namespace LAMMPS_NS

@@ -2,12 +2,14 @@
 #include "rods/rod_threads.h"
 
 #include <algorithm>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <vector>
 
+#include <sched.h>
 #include <strings.h>
-#include <unistd.h>
 
 #include "comm.h"
 #include "core/parallel.h"
@@ -35,35 +37,52 @@ int RodThreads::from_environment() const
   return *count;
 }
 
-// Threads that wait in a loop for one that cannot run make a step take forty times as long.
-void RodThreads::begin_run()
+// Processors of this machine that the rank with fewest has for itself. Launchers bind ranks to some of them;
+// those that may run on the same ones share them.
+int RodThreads::processors_of_a_rank() const
 {
-  if (wanted_ == count_ && told_) return;
-  count_ = wanted_;
-  if (count_ == 1) return;
+  cpu_set_t mine;
+  CPU_ZERO(&mine);
+  if (sched_getaffinity(0, sizeof mine, &mine) != 0)
+    return INT_MAX;  // a machine of more than it has bits for
   MPI_Comm node;
   MPI_Comm_split_type(world, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
   int ranks = 1;
   MPI_Comm_size(node, &ranks);
+  std::vector<cpu_set_t> all(ranks);
+  MPI_Allgather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE, node);
   MPI_Comm_free(&node);
-  MPI_Bcast(&ranks, 1, MPI_INT, 0, world);
-  int processors = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
-  MPI_Bcast(&processors, 1, MPI_INT, 0, world);
+  const auto shares = std::count_if(all.begin(), all.end(), [&](const cpu_set_t &other) {
+    cpu_set_t both;
+    CPU_AND(&both, &mine, &other);
+    return CPU_COUNT(&both) > 0;
+  });
+  const int share = CPU_COUNT(&mine) / static_cast<int>(shares);
+  int least = 0;
+  MPI_Allreduce(&share, &least, 1, MPI_INT, MPI_MIN, world);
+  return least;
+}
+
+// Threads that wait in a loop for one that cannot run make a step take forty times as long.
+void RodThreads::begin_run()
+{
+  count_ = wanted_ == told_ ? told_count_ : wanted_;
+  if (count_ == 1 || wanted_ == told_) return;
   const char *policy = getenv("OMP_WAIT_POLICY");
   int wait_without_processor = policy && strcasecmp(policy, "passive") == 0 ? 1 : 0;
   MPI_Bcast(&wait_without_processor, 1, MPI_INT, 0, world);
-
-  const bool are_too_many = static_cast<long>(ranks) * count_ > processors;
-  if (are_too_many && !wait_without_processor) count_ = std::max(1, processors / ranks);
-  if (told_) return;
-  told_ = true;
+  const int processors = processors_of_a_rank();
+  if (!wait_without_processor) count_ = std::clamp(processors, 1, count_);
+  told_ = wanted_;
+  told_count_ = count_;
   if (comm->me != 0) return;
-  if (are_too_many && !wait_without_processor)
+  if (count_ < wanted_)
     rod_warning(
         lmp,
-        "Rods: %d ranks of %d threads each are more than the %d processors of this machine: "
-        "%d threads are used (all of them with OMP_WAIT_POLICY passive)",
-        ranks, wanted_, processors, count_);
+        "Rods: %d ranks of %d threads each are more than the processors that they may use here: "
+        "%d threads are used (all of them with OMP_WAIT_POLICY passive; mpirun binds a rank to one "
+        "processor without --bind-to none or --map-by slot:PE=%d)",
+        comm->nprocs, wanted_, count_, wanted_);
   for (FILE *out : {screen, logfile})
     if (out && count_ > 1)
       fprintf(out, "Rods: %d threads for each of %d ranks\n", count_, comm->nprocs);

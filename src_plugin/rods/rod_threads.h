@@ -19,8 +19,8 @@ class RodThreads : private Pointers {
   // By the pair style's keyword, which wins over OMP_NUM_THREADS; 0 without it. 1 without either.
   void want(int count) { wanted_ = count > 0 ? count : of_environment_; }
   int count() const { return count_; }
-  // At the start of a run: how many there are, no more than the machine has processors unless threads wait
-  // without one. Said once.
+  // At the start of a run: how many there are, no more than the rank has processors unless threads wait
+  // without one. Said when it changes.
   void begin_run();
 
   // How many pieces so much work is worth: no thread has less than `least` of it, but for a single one.
@@ -60,9 +60,10 @@ class RodThreads : private Pointers {
 
  private:
   int of_environment_ = 1, wanted_ = 1, count_ = 1;
-  bool told_ = false;
+  int told_ = 1, told_count_ = 1;  // of `wanted_`, and what came of it
 
   int from_environment() const;
+  int processors_of_a_rank() const;
   // Within a parallel region.
   static void wait_for_all()
   {

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include <sched.h>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -188,6 +190,24 @@ TEST(NumberOfThreads, IsThatOfTheProcessorsAtMost)
       << many;
   EXPECT_EQ(many.find("Rods: 1000 threads"), std::string::npos) << many;
   EXPECT_EQ(many.find("exit 0"), 0u) << many;
+}
+
+// Those that the launcher gives the rank, not those of the machine.
+TEST(NumberOfThreads, IsThatOfTheProcessorsItIsBoundTo)
+{
+  const WaitPolicy impatient(nullptr);
+  cpu_set_t before, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  int first = 0;
+  while (!CPU_ISSET(first, &before)) first++;
+  CPU_ZERO(&one);
+  CPU_SET(first, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  const Contacts linear = {"", "linear tangential history", {}};
+  const std::string bound = thermo_of(falling_rods(linear, "threads 2"), "");
+  ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+  EXPECT_NE(bound.find("that they may use here: 1 threads are used"), std::string::npos) << bound;
+  EXPECT_EQ(bound.find("exit 0"), 0u) << bound;
 }
 
 TEST(NumberOfThreads, IsRefusedInOneSentence)
