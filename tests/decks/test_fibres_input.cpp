@@ -131,6 +131,34 @@ Atoms
   }
 }
 
+// What goes with joints, without the fix that holds them.
+TEST(FibreAlone, EndsWithOneSentence)
+{
+  const std::string data = kData;
+  const size_t header = data.find("3 segments\n"), section = data.find("Fibres");
+  const std::string rods = data.substr(0, header) + data.substr(header + 11, section - header - 11);
+  const struct {
+    const char *line, *says;
+  } cases[] = {
+      {"compute j all joint/spherocylinder/local",
+       "Compute joint/spherocylinder/local (id j): no fix holds joints (expected fix ID all "
+       "joint/spherocylinder)"},
+      {"fix h all hinge/spherocylinder tail",
+       "Fix hinge/spherocylinder (id h): without fix joint/spherocylinder, whose stiffness "
+       "it would have, a hinge wants the keyword stiffness"}};
+  for (const auto &wrong : cases) {
+    const DeckFolder folder;
+    folder.write("rods.data", rods);
+    std::string deck =
+        edited(kDeck, "damping 0.1\n",
+               std::string("damping 0.1\nunfix joints\n" + std::string(wrong.line) + "\n").c_str());
+    folder.write("in.fibre", deck);
+    const Outcome outcome = folder.run("in.fibre");
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_NE(outcome.output.find(wrong.says), std::string::npos) << outcome.output;
+  }
+}
+
 constexpr const char *kModuli = "youngsModulus 1e7 poissonsRatio 0.3 damping 0.1";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -203,6 +231,42 @@ INSTANTIATE_TEST_SUITE_P(
                 "rest must be straight or present (got bent)"},
         Mistake{"RestTwice", false, "damping 0.1", "rest present rest_curvature 2",
                 "rest present leaves no room for rest_curvature and rest_twist"},
+        Mistake{"YieldTwice", false, "damping 0.1", "yield_stress 1e5 yield_moment 1e-4",
+                "yield_stress and yield_moment say the same; wanted one of them"},
+        Mistake{"YieldStress", false, "damping 0.1", "yield_stress 0",
+                "yield_stress must be > 0 (got 0)"},
+        Mistake{"YieldMoment", false, "damping 0.1", "yield_moment -1e-4",
+                "yield_moment must be > 0 (got -1e-4)"},
+        Mistake{"TensileStrength", false, "damping 0.1", "tensile_strength 0",
+                "tensile_strength must be > 0 (got 0)"},
+        Mistake{"BendingStrength", false, "damping 0.1", "bending_strength high",
+                "bending_strength must be a number (got high)"},
+        // Its compute and hinges.
+        Mistake{
+            "LocalValue", false, "run 10",
+            "compute j all joint/spherocylinder/local moment\nrun 10",
+            "Compute joint/spherocylinder/local (id j): unknown value moment (expected any of id1"},
+        Mistake{"HingeEnd", false, "run 10", "fix h all hinge/spherocylinder both\nrun 10",
+                "Fix hinge/spherocylinder (id h): the end must be tail, head or free (got both)"},
+        Mistake{"HingeNoEnd", false, "run 10", "fix h all hinge/spherocylinder\nrun 10",
+                "the end must be tail, head or free (got nothing)"},
+        Mistake{"HingeKeyword", false, "run 10", "fix h all hinge/spherocylinder tail k 1\nrun 10",
+                "unknown keyword k (expected stiffness, damping or velocity)"},
+        Mistake{"HingeStiffness", false, "run 10",
+                "fix h all hinge/spherocylinder tail stiffness 0\nrun 10",
+                "stiffness must be > 0 (got 0)"},
+        Mistake{"HingeDamping", false, "run 10",
+                "fix h all hinge/spherocylinder tail damping -1\nrun 10",
+                "damping must be >= 0 (got -1)"},
+        Mistake{"HingeVelocity", false, "run 10",
+                "fix h all hinge/spherocylinder tail velocity 1 0\nrun 10",
+                "velocity must be a number (got nothing)"},
+        Mistake{"HingeInTheMiddle", false, "run 10",
+                "group m id 2\nfix h m hinge/spherocylinder free\nrun 10",
+                "rod 2 has no free end, which is to be held is not told"},
+        Mistake{"HingeOfOneRod", false, "run 10",
+                "group m id 4\nfix h m hinge/spherocylinder free\nrun 10",
+                "rod 4 has two free ends, which is to be held is not told"},
         Mistake{"Join", false, "damping 0.1", "join 2", "join must be <= 0.5 diameters (got 2)"},
         Mistake{
             "TwoFixes", false, "fix motion",
