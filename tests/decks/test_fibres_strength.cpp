@@ -279,6 +279,42 @@ TEST(FibreBreaking, PartsAreNotKicked)
   expect_holds({"Broken fibre: kinetic energy over the joint's", "no kick", 1e-12}, fastest);
 }
 
+// A ring of short segments, which lie in the next but one as well, breaks at each of its joints in turn: nothing
+// touches, nothing moves.
+TEST(FibreBreaking, RingsAreNotKicked)
+{
+  Fibre fibre;
+  fibre.segments = 16;
+  fibre.joint_distance = 1.5 * fibre.radius;
+  const double stretch = 1e-4 * fibre.joint_distance;
+  const double strength =
+      0.9 * fibre.stretch_stiffness() * stretch / (pi * std::pow(fibre.radius, 2));
+  const double turn = 2.0 * pi / fibre.segments;
+  for (int pulled = 0; pulled < fibre.segments; pulled++) {
+    Scene scene = fibre_scene(fibre);
+    Vec3 end = {0.0, 0.0, 0.0};
+    for (int k = 0; k < fibre.segments; k++) {
+      scene.rods[k].axis = {std::cos(k * turn), std::sin(k * turn), 0.0};
+      scene.rods[k].position = end + 0.5 * fibre.joint_distance * scene.rods[k].axis;
+      end = end + fibre.joint_distance * scene.rods[k].axis;
+    }
+    const Vec3 moved = scene.rods[pulled].position + stretch * scene.rods[pulled].axis;
+    scene.physics = fibre_physics(fibre, fmt::format("rest present tensile_strength {}", strength));
+    const Table table = thermo_of(
+        scene,
+        fmt::format("compute touch all contact/spherocylinder\n"
+                    "compute touching all reduce sum c_touch\n"
+                    "fix hold all freeze\nset atom {} x {:.17g} y {:.17g}\n"
+                    "thermo_style custom step f_joints[5] f_joints[7] c_touching\nrun 3\n",
+                    pulled + 1, moved.x, moved.y),
+        "ke");
+    ASSERT_FALSE(table.rows.empty());
+    EXPECT_EQ(table.rows.back()[1], 15.0) << pulled;
+    EXPECT_EQ(table.rows.back()[2], 1.0) << pulled;
+    EXPECT_EQ(table.rows.back()[3], 0.0) << pulled;
+  }
+}
+
 // Once apart they touch. Flying apart and, in a second run, back: an elastic hit of equal rods swaps their
 // speeds, as that of two rods that were never joined.
 TEST(FibreBreaking, PartsTouchOnceApart)
