@@ -47,7 +47,7 @@ std::vector<HostStyle> command_rows()
       row(kMap, "read_restart", kRight,
           "give pair_style and walls again, with surface spherocylinder"),
       row(kMap, "replicate", kRight,
-          "the copies' ids go on from the highest one; contacts across a periodic face begin anew; not with fibres"),
+          "the copies' ids go on from the highest one; contacts across a periodic face begin anew; fibres are copied whole"),
       row(kMap, "rotate", kRefused,
           "it turns the centres and not the axes; use displace_atoms rotate"),
       row(kMap, "run", kRight,

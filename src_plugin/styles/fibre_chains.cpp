@@ -410,6 +410,45 @@ void FibreChains::give_rest(double curvature, double twist)
   });
 }
 
+FibreChains::Periods FibreChains::periods_between(const Vec3 &a, const Vec3 &b) const
+{
+  const int periodic[3] = {domain->xperiodic, domain->yperiodic, domain->zperiodic};
+  double way[3];
+  store(b - a, way);
+  Periods periods;
+  for (int d = 0; d < 3; d++)
+    if (periodic[d]) periods.number[d] = static_cast<int>(std::lround(way[d] / domain->prd[d]));
+  return periods;
+}
+
+std::vector<FibreChains::Periods> FibreChains::periods_beyond_first()
+{
+  gather([&](int i) { return segments_.is_segment(i); });
+  std::vector<Periods> mine(atom->nlocal);
+  Periods sum;
+  size_t first = 0;  // of the fibre
+  for (size_t k = 0; k < rods_.size(); k++) {
+    if (rods_[k].fibre != rods_[first].fibre) first = k;
+    const bool follows = k > first && (rods_[k].ends & S::kTailJoined);
+    const Periods step = follows ? periods_between(end_of(static_cast<int>(k) - 1, true),
+                                                   end_of(static_cast<int>(k), false))
+                                 : Periods();
+    for (int d = 0; d < 3; d++) sum.number[d] = follows ? sum.number[d] + step.number[d] : 0;
+    if (rods_[k].rank == me_) mine[rods_[k].local] = sum;
+    if (!(rods_[k].ends & S::kHeadCloses)) continue;
+    const Periods last =
+        periods_between(end_of(static_cast<int>(k), true), end_of(static_cast<int>(first), false));
+    for (int d = 0; d < 3; d++)
+      if (sum.number[d] + last.number[d] != 0)
+        rod_error_all(
+            lmp,
+            "%s: fibre %d is a ring that goes round the periodic box along %c; wanted rings "
+            "that close beside themselves",
+            who_.c_str(), rods_[k].fibre, "xyz"[d]);
+  }
+  return mine;
+}
+
 int FibreChains::cut_lost_joints()
 {
   gather([&](int i) { return segments_.is_segment(i); });

@@ -35,6 +35,13 @@ class FibreChains : protected Pointers {
   void give_present_rest();
   void give_rest(double curvature, double twist);
 
+  // Of this rank's rods: by how many periods of the box each segment is beyond its place beside the first of
+  // its chain; of rods that are no segments 0. A ring that goes round a periodic box is an error.
+  struct Periods {
+    int number[3] = {0, 0, 0};
+  };
+  std::vector<Periods> periods_beyond_first();
+
   // After rods have gone: the joints they had are no more. Returns their number.
   int cut_lost_joints();
 
@@ -63,6 +70,7 @@ class FibreChains : protected Pointers {
   void put_back(const Rod &rod) const;
   void flip(int rod);
   spherocylinder::Vec3 from_to(const spherocylinder::Vec3 &a, const spherocylinder::Vec3 &b) const;
+  Periods periods_between(const spherocylinder::Vec3 &a, const spherocylinder::Vec3 &b) const;
   spherocylinder::Vec3 end_of(int rod, bool head) const;
   double gap(int rod, bool head, int other, bool other_head) const;
   void check_places() const;

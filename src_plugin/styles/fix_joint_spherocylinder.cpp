@@ -21,6 +21,7 @@
 #include "rods/rod_threads.h"
 #include "styles/fibre_chains.h"
 #include "styles/fix_fibres_spherocylinder.h"
+#include "styles/fix_particletemplate_spherocylinder.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -193,16 +194,22 @@ void FixJointSpherocylinder::init()
     chains.give_rest(rest_curvature_, rest_twist_);
   const FibreSegments &segments = *segments_;
   check_group(segments);
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!segments.is_segment(i)) continue;
-    const int type = atom->type[i];
-    if (!(moduli_[type] > 0.0))
-      rod_error_one(lmp, "%s: youngsModulus of atom type %d must be > 0 (got %g)", who.c_str(),
-                    type, moduli_[type]);
-    if (!(ratios_of_types_[type] > -1.0 && ratios_of_types_[type] <= 0.5))
-      rod_error_one(lmp, "%s: poissonsRatio of atom type %d must be > -1 and <= 0.5 (got %g)",
-                    who.c_str(), type, ratios_of_types_[type]);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (segments.is_segment(i)) check_material(atom->type[i]);
+  for (int k = 0; k < modify->nfix; k++) {
+    auto *fibres = dynamic_cast<FixParticletemplateSpherocylinder *>(modify->fix[k]);
+    if (fibres && fibres->makes_fibres()) check_material(fibres->maxtype());
   }
+}
+
+void FixJointSpherocylinder::check_material(int type) const
+{
+  if (!(moduli_[type] > 0.0))
+    rod_error_one(lmp, "%s: youngsModulus of atom type %d must be > 0 (got %g)", name().c_str(),
+                  type, moduli_[type]);
+  if (!(ratios_of_types_[type] > -1.0 && ratios_of_types_[type] <= 0.5))
+    rod_error_one(lmp, "%s: poissonsRatio of atom type %d must be > -1 and <= 0.5 (got %g)",
+                  name().c_str(), type, ratios_of_types_[type]);
 }
 
 // A fibre that the group cuts would be held in part.

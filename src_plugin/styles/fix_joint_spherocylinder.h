@@ -105,6 +105,7 @@ class FixJointSpherocylinder : public Fix, public GhostUser {
   std::vector<double> material(double value, bool is_given, const char *keyword,
                                const char *property) const;
   void check_group(const FibreSegments &segments) const;
+  void check_material(int type) const;
   spherocylinder::BeamHalf beam_half(int i) const;
   spherocylinder::JointedMass jointed_mass(int i) const;
   void check_same_diameter(int i, int j) const;

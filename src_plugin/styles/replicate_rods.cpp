@@ -2,16 +2,20 @@
 #include "styles/replicate_rods.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include <mpi.h>
 
 #include "atom.h"
+#include "domain.h"
 #include "fix.h"
 #include "force.h"
 #include "host/rod_error.h"
 #include "modify.h"
 #include "pair_gran.h"
+#include "rods/atom_vec_spherocylinder.h"
+#include "rods/fibre_segments.h"
 #include "styles/fix_contact_history_spherocylinder.h"
 #include "styles/fix_fibres_spherocylinder.h"
 
@@ -26,16 +30,21 @@ int ReplicateRods::highest_id() const
   return highest;
 }
 
+int ReplicateRods::highest_fibre() const
+{
+  const auto &segments = rods_of(lmp, "Replicate").attached<FibreSegments>();
+  int mine = 0, highest = 0;
+  for (int i = 0; i < atom->nlocal && segments.rows; i++) mine = std::max(mine, segments.fibre(i));
+  MPI_Allreduce(&mine, &highest, 1, MPI_INT, MPI_MAX, world);
+  return highest;
+}
+
 void ReplicateRods::command(int narg, char **arg)
 {
   if (modify->fix_restart_in_progress())
     rod_error_all(
         lmp, "Replicate must come after the first run (run 0 will do) when rods with contacts have "
              "been read from a restart file");
-  if (find_fibres(lmp))
-    rod_error_all(lmp,
-                  "Replicate: copies of fibres would have the fibre ids of their originals; join "
-                  "the copies instead (fix joint/spherocylinder ... join after replicate)");
   for (int k = 0; k < modify->nfix; k++) {
     const Fix *fix = modify->fix[k];
     if (strcmp(fix->style, "spring/self") == 0 || strcmp(fix->style, "store/state") == 0)
@@ -48,16 +57,65 @@ void ReplicateRods::command(int narg, char **arg)
   bring_histories_to_rods(lmp);
   const std::vector<int> ids(atom->tag, atom->tag + atom->nlocal);
   const int highest = highest_id();
-  const bigint copies = narg < 3
-                            ? 1
-                            : bigint{force->inumeric(FLERR, arg[0])} *
-                                  force->inumeric(FLERR, arg[1]) * force->inumeric(FLERR, arg[2]);
-  if (copies * highest > MAXTAGINT)
-    rod_error_all(
-        lmp, "Replicate: " BIGINT_FORMAT " times ids up to %d need ids beyond the greatest one, %d",
-        copies, highest, MAXTAGINT);
+  int grid[3] = {1, 1, 1};
+  for (int d = 0; d < 3 && narg >= 3; d++) grid[d] = force->inumeric(FLERR, arg[d]);
+  const bigint copies = bigint{grid[0]} * grid[1] * grid[2];
+  const int fibres = highest_fibre();
+  for (const int id : {highest, fibres})
+    if (copies * id > MAXTAGINT)
+      rod_error_all(lmp,
+                    "Replicate: " BIGINT_FORMAT
+                    " times ids up to %d need ids beyond the greatest one, %d",
+                    copies, id, MAXTAGINT);
+  std::vector<FibreChains::Periods> periods;
+  if (find_fibres(lmp)) periods = periods_of_fibres(grid, narg, arg);
   Replicate::command(narg, arg);
   number_copies(ids, highest);
+  if (find_fibres(lmp)) number_fibres(periods, grid, fibres);
+}
+
+// A fibre that lies across a periodic boundary goes on in the next copy, which must be a period away.
+std::vector<FibreChains::Periods> ReplicateRods::periods_of_fibres(const int *grid, int narg,
+                                                                   char **arg) const
+{
+  if (domain->triclinic)
+    rod_error_all(lmp,
+                  "Replicate: fibres of a triclinic box cannot be copied, wanted xy, xz and yz 0");
+  std::vector<FibreChains::Periods> periods = FibreChains(lmp, "Replicate").periods_beyond_first();
+  for (int d = 0; d < 3; d++) {
+    int mine = 0, any = 0;
+    for (const FibreChains::Periods &of_rod : periods) mine = mine || of_rod.number[d] != 0;
+    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+    if (!any || grid[d] == 1 || narg < 7) continue;
+    constexpr double kSamePeriod = 1e-9;
+    const double offset = force->numeric(FLERR, arg[4 + d]);
+    if (std::fabs(offset - domain->prd[d]) > kSamePeriod * domain->prd[d])
+      rod_error_all(lmp,
+                    "Replicate: fibres lie across the periodic boundary along %c and want copies a "
+                    "period %g apart (got offset %g)",
+                    "xyz"[d], domain -> prd[d], offset);
+  }
+  return periods;
+}
+
+// The copies of a fibre in the order of the rods': which copy a segment belongs to follows from the copy of the
+// box that it is in and from where its fibre began.
+void ReplicateRods::number_fibres(const std::vector<FibreChains::Periods> &periods, const int *grid,
+                                  int highest)
+{
+  auto &segments = rods_of(lmp, "Replicate").attached<FibreSegments>();
+  const int originals = static_cast<int>(periods.size());
+  const auto within = [](int number, int size) { return ((number % size) + size) % size; };
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!segments.is_segment(i)) continue;
+    const int box = i / originals;
+    const int copy[3] = {box / (grid[1] * grid[2]), box / grid[2] % grid[1], box % grid[2]};
+    int number = 0;
+    for (int d = 0; d < 3; d++)
+      number = number * grid[d] + within(copy[d] + periods[i % originals].number[d], grid[d]);
+    segments.rows[i][FibreSegments::kFibre] += static_cast<double>(number) * highest;
+  }
+  segments.changes++;
 }
 
 // LIGGGHTS has put the copies behind the originals, one whole copy of this rank's rods after the other, in
