@@ -108,7 +108,9 @@ void FixParticletemplateSpherocylinder::post_create()
 // A run may begin without any fibre, and get them from here.
 void FixParticletemplateSpherocylinder::init()
 {
-  if (!makes_fibres() || modify->n_fixes_style_strict("joint/spherocylinder") > 0) return;
+  if (!makes_fibres()) return;
+  fibres_of(lmp);
+  if (modify->n_fixes_style_strict("joint/spherocylinder") > 0) return;
   rod_error_all(
       lmp,
       "Fix %s (id %s): segments %d makes fibres, but no fix holds them together (expected "

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -141,6 +142,66 @@ TEST(StudyDecksLimit, PartIsThatOfBothStages)
         EXPECT_GT(fastest.total, 1.2 * limit) << stage;
       }
     }
+  }
+}
+
+// Fibres go from in.fill to in.settle as they are, on any number of ranks, and their step is short enough
+// for contacts and joints. bending B gives E I = B rho pi r^2 g L^3, I = pi r^4/4.
+class StudyDecksFibres : public testing::TestWithParam<int> {};
+
+TEST_P(StudyDecksFibres, ArePouredAndSettle)
+{
+  const DeckFolder folder;
+  copy_decks(folder);
+  const std::string limits = "variable thermo_every index 100\nvariable dump_every index 1000\n";
+  const std::string given = "variable lambda index 30\nvariable vessel_diameter index 0.4\n"
+                            "variable rods index 40\nvariable vessel_height index 0.8\n"
+                            "variable segments index 6\nvariable bending index 0.05\n"
+                            "variable fill_time index 0.2\nvariable total_time index 0.25\n";
+  std::map<std::pair<int, int>, int> ids;  // by fibre and place
+  for (const std::string stage : {"fill", "settle"}) {
+    folder.write("in." + stage + "_case", limits + (stage == "fill" ? given : "") + "include in." +
+                                              stage + "\nprint \"E ${youngs_modulus}\"\n");
+    const Outcome outcome = folder.run("in." + stage + "_case", {Program::Lmp, GetParam()});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_EQ(outcome.output.find("of the stable step"), std::string::npos) << outcome.output;
+    const size_t at = outcome.output.find("\nE ");
+    ASSERT_NE(at, std::string::npos);
+    const double wanted = 4.0 * 0.05 * 2700.0 * 9.81 * std::pow(0.3, 3) / std::pow(0.005, 2);
+    EXPECT_NEAR(std::stod(outcome.output.substr(at + 3)), wanted, 1e-12 * wanted);
+    if (stage == "settle") {
+      const Table thermo = read_thermo(outcome.output);
+      EXPECT_EQ(thermo.at(0, "Atoms"), 240.0);
+      EXPECT_LT(thermo.rows.back().at(7), 0.5);  // largest overlap
+      EXPECT_GT(thermo.rows.back().at(8), 0.0);  // energy of joints
+    }
+    const Table rods = read_dump(folder / ("dump." + stage)).back().atoms;
+    ASSERT_EQ(rods.rows.size(), 240u);
+    for (size_t k = 0; k < rods.rows.size(); k++) {
+      const std::pair<int, int> segment(rods.at(k, "f_fibres[1]"), rods.at(k, "f_fibres[2]"));
+      EXPECT_GE(segment.second, 1);
+      EXPECT_LE(segment.second, 6);
+      const int id = static_cast<int>(rods.at(k, "id"));
+      if (stage == "fill")
+        EXPECT_TRUE(ids.emplace(segment, id).second) << segment.first << " " << segment.second;
+      else
+        EXPECT_EQ(ids[segment], id);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, StudyDecksFibres, testing::Values(1, 2));
+
+TEST(StudyDecksWrong, FibresAreRefused)
+{
+  for (const auto &[given, says] :
+       {std::pair("variable segments index 0\n", "segments must be >= 1"),
+        std::pair("variable bending index 0\n", "bending must be > 0")}) {
+    const DeckFolder folder;
+    copy_decks(folder);
+    const Outcome outcome = run_stage(folder, "fill", std::string(given));
+    EXPECT_NE(outcome.output.find(says), std::string::npos) << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "restart.fill"));
   }
 }
 
