@@ -150,6 +150,7 @@ EXPORT int Input::execute_command()
     return original(this);
   }();
   if (reads_restart) spherocylinder::restart_was_read(lammps, lines);
+  if (strcmp(command, "write_data") == 0) spherocylinder::say_what_a_data_file_lacks(lammps);
   spherocylinder::check_command_after(lammps);
   end_if_a_file_is_cut(lammps);
   return unknown;

@@ -14,6 +14,7 @@
 
 #include <dlfcn.h>
 #include <mpi.h>
+#include <unistd.h>
 
 #include "atom.h"
 #include "comm.h"
@@ -26,6 +27,7 @@
 #include "lammps.h"
 #include "loader/random_streams.h"
 #include "modify.h"
+#include "pair_gran.h"
 #include "read_restart.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "update.h"
@@ -240,6 +242,8 @@ std::string refused(const std::string &name, const std::string &reason)
 // the deck says so.
 std::string fault_of_reading(const std::string &name, bool unchecked, MarkedFile &file)
 {
+  if (access(name.c_str(), R_OK) != 0)
+    return "Restart file " + name + " cannot be read: " + strerror(errno);
   file = read_marked_file(name);
   if (file.has_mark) return file.fault.empty() ? "" : refused(name, file.fault);
   const RestartHeader header = read_restart_header(name);
@@ -313,6 +317,18 @@ void restart_was_read(LAMMPS *lmp, const std::vector<std::string> &lines)
     rod_warning(
         lmp, "Command read_restart: the file was written by version %s of the plug-in (this is %s)",
         version.c_str(), SPHEROCYLINDER_VERSION);
+}
+
+void say_what_a_data_file_lacks(LAMMPS *lmp)
+{
+  if (!models_of(lmp) || lmp->comm->me != 0) return;
+  auto *pair = dynamic_cast<PairGran *>(lmp->force->pair);
+  if (!pair || pair->dnum() == 0) return;
+  for (FILE *out : {lmp->screen, lmp->logfile})
+    if (out)
+      fputs("Contact histories are not in data files, contacts begin anew when one is read; "
+            "write_restart keeps them\n",
+            out);
 }
 
 void keep_models(LAMMPS *lmp, const char *command, int narg, char **arg)

@@ -23,6 +23,9 @@ std::vector<std::string> check_restart_before_it_is_read(LAMMPS_NS::LAMMPS *lmp,
                                                          char **arg);
 void restart_was_read(LAMMPS_NS::LAMMPS *lmp, const std::vector<std::string> &lines);
 
+// After the command write_data.
+void say_what_a_data_file_lacks(LAMMPS_NS::LAMMPS *lmp);
+
 // The deck's words about contacts, which go into restart files.
 void keep_models(LAMMPS_NS::LAMMPS *lmp, const char *command, int narg, char **arg);
 

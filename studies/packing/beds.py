@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from studies.common import cases, rows
+from studies.common import cases, resume, rows
 
 ROOT = Path(__file__).resolve().parents[2]
 DECKS = [ROOT / "input" / f"in.{name}" for name in ("rods", "contact", "fill", "settle")]
@@ -38,8 +38,8 @@ def pour(folder: Path | str, aspect: str, friction: str, limits: str, seed: int,
     given = {"lambda": aspect, "seed": seed, **variables, "friction": friction}
     if limits == "none":
         given.update(limit_fill=0, limit_settle=0)
-    fill = cases.run_deck(folder, "in.fill", given, build=build)
-    settle = cases.run_deck(folder, "in.settle", given, build=build)
+    fill = resume.run_deck(folder, "in.fill", given, build=build)
+    settle = resume.run_deck(folder, "in.settle", given, build=build)
     case = deck_variables(Path(folder) / "in.case")
     return {
         "lambda": aspect, "friction": friction, "limits": limits, "seed": seed,

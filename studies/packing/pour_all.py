@@ -14,7 +14,7 @@ import time
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 
-from studies.common import cases, rows
+from studies.common import cases, resume, rows
 from studies.packing import beds
 
 BUILD = cases.DEFAULT_BUILD
@@ -56,19 +56,23 @@ def show(table: list[dict]) -> None:
 
 
 def pour(folder: Path, maker: str) -> None:
-    """One case from nothing."""
+    """One case from nothing, or on from where it was cut off."""
     begin = time.monotonic()
     aspect, limits, seed = named(folder)
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir()
-    (folder / "made_by").write_text(maker + "\n")
-    for deck in beds.DECKS:
-        shutil.copy(deck, folder)
+    made_by = folder / "made_by"
+    if not (made_by.exists() and made_by.read_text().strip() == maker):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        for deck in beds.DECKS:
+            shutil.copy(deck, folder)
+        made_by.write_text(maker + "\n")
     given = {"lambda": aspect, "seed": seed}
     if limits == "none":
         given |= {"limit_fill": 0, "limit_settle": 0}
-    for stage in ("fill", "settle"):
-        cases.run_deck(folder, f"in.{stage}", given, build=BUILD)
+    if resume.step_of_whole_restart(folder / "restart.fill") is None:
+        resume.run_deck(folder, "in.fill", given, build=BUILD)
+    if resume.step_of_whole_restart(folder / "restart.settle") is None:
+        resume.run_deck(folder, "in.settle", given, build=BUILD)
     dump = folder / "dump.settle"
     radius = beds.deck_variables(folder / "in.case")["vessel_diameter"] / 2
     vessel = ("--vessel-radius", f"{radius:.10g}")

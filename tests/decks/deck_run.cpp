@@ -49,7 +49,7 @@ std::string command_for(const std::string &deck, const Launch &launch)
           // KILL: LIGGGHTS takes SIGTERM as a wish to end the run.
           ? fmt::format("env {} timeout -s KILL {}", kSingleRank, launch.time_limit)
           : fmt::format("env {} --timeout {} -np {}", kManyRanks, launch.time_limit, launch.ranks);
-  return fmt::format("{} {} -in {}", start, program, deck);
+  return fmt::format("{} {} -in {} {}", start, program, deck, launch.arguments);
 }
 
 std::vector<std::string> words_of(const std::string &line)
@@ -101,8 +101,9 @@ std::string DeckFolder::read(const std::string &name) const
 
 Outcome DeckFolder::run(const std::string &deck, const Launch &launch) const
 {
-  const std::string command = fmt::format("cd {} && {} {} > output.{} 2>&1", path_.string(),
-                                          kSanitizers, command_for(deck, launch), deck);
+  const std::string command =
+      fmt::format("cd {} && {} {} {} > output.{} 2>&1", path_.string(), launch.before, kSanitizers,
+                  command_for(deck, launch), deck);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, read("output." + deck)};
 }

@@ -20,6 +20,8 @@ struct Launch {
   int ranks = 1;
   // A deck takes a second or two; a program that waits for ever is killed (unit: second).
   int time_limit = 60;
+  std::string before = {};     // commands of the shell, each with its ; at the end
+  std::string arguments = {};  // further ones of the program
 };
 
 struct Outcome {
