@@ -65,6 +65,11 @@ uint64_t length_of(FILE *file)
 
 }  // namespace
 
+unsigned long check_sum_of(const std::string &text)
+{
+  return crc32(0, reinterpret_cast<const Bytef *>(text.data()), static_cast<uInt>(text.size()));
+}
+
 std::string close_with_mark(const std::string &path, const std::vector<std::string> &lines,
                             std::string &check)
 {

@@ -16,6 +16,9 @@ namespace spherocylinder {
 std::string close_with_mark(const std::string &path, const std::vector<std::string> &lines,
                             std::string &check);
 
+// CRC-32 of a text.
+unsigned long check_sum_of(const std::string &text);
+
 struct MarkedFile {
   std::string fault;  // why the file is not whole, empty if it is
   bool has_mark = false;

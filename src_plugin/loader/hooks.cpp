@@ -161,7 +161,10 @@ EXPORT void LAMMPS::init()
   using Init = void (*)(LAMMPS *);
   static const auto original = next_symbol<Init>("_ZN9LAMMPS_NS6LAMMPS4initEv");
   spherocylinder::check_styles_at_run_start(this);
-  if (update->whichflag == 1) spherocylinder::say_which_models_differ(this);
+  if (update->whichflag == 1) {
+    spherocylinder::say_which_models_differ(this);
+    spherocylinder::look_at_restarted_rods(this);
+  }
   original(this);
 }
 
@@ -182,6 +185,7 @@ EXPORT void Output::setup(int memory)
     const spherocylinder::FilesAppearWhole frames;
     original(this, memory);
   }
+  spherocylinder::go_on_with_forces(lmp);
   spherocylinder::go_on_with_random_numbers(lmp);
   end_if_a_file_is_cut(lmp);
 }

@@ -30,6 +30,7 @@
 #include "pair_gran.h"
 #include "read_restart.h"
 #include "rods/atom_vec_spherocylinder.h"
+#include "rods/kept_forces.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -42,6 +43,7 @@ constexpr char kPlugin[] = "spherocylinder ";
 constexpr char kPart[] = "part ";
 constexpr char kPair[] = "pair_style ";
 constexpr char kWall[] = "wall ";
+constexpr char kPhysics[] = "physics ";
 
 bool starts_with(const std::string &text, const std::string &start)
 {
@@ -53,7 +55,10 @@ struct Models {
   explicit Models(LAMMPS *) {}
   std::string pair;
   std::map<std::string, std::string> walls;  // by id, of those too that are gone
+  std::map<std::string, std::string> fixes;  // all of each command, the same
+  std::string coefficients;                  // of pair_coeff
   std::vector<std::string> restarted, random;
+  std::string physics;  // of the restart file
 };
 
 Models *models_of(LAMMPS *lmp)
@@ -89,6 +94,20 @@ std::vector<std::string> lines_of(const Models &models, const LAMMPS *lmp)
   for (const auto &[id, words] : models.walls)
     if (lmp->modify->find_fix(id.c_str()) >= 0) lines.push_back(kWall + id + ": " + words);
   return lines;
+}
+
+// What forces follow from, in eight digits.
+std::string physics_of(const Models &models, const LAMMPS *lmp)
+{
+  std::string text = models.pair + "\n" + models.coefficients;
+  for (int i = 0; i < lmp->modify->nfix; i++) {
+    const auto words = models.fixes.find(lmp->modify->fix[i]->id);
+    if (words != models.fixes.end()) text += "\n" + words->second;
+  }
+  text += "\n" + std::to_string(lmp->force->newton_pair);
+  char digits[64];
+  snprintf(digits, sizeof(digits), "%s%08lx dt %a", kPhysics, check_sum_of(text), lmp->update->dt);
+  return digits;
 }
 
 // The text of the lowest rank that has one, on all ranks, which must all call it.
@@ -210,6 +229,7 @@ void write_whole_restart(LAMMPS *lmp, const std::string &name,
     for (const std::string &of_part : checks_of_all(lmp, check)) lines.push_back(kPart + of_part);
   if (const Models *models = models_of(lmp))
     for (const std::string &line : lines_of(*models, lmp)) lines.push_back(line);
+  if (const Models *models = models_of(lmp)) lines.push_back(physics_of(*models, lmp));
   for (const std::string &line : random_lines(lmp)) lines.push_back(line);
   end_if(has_base ? fault_of_closing(base, beside(base), lines, check) : "");
 
@@ -309,7 +329,10 @@ void restart_was_read(LAMMPS *lmp, const std::vector<std::string> &lines)
   Models *models = models_of(lmp);
   if (!models || lines.empty()) return;
   for (size_t k = 1; k < lines.size(); k++)
-    (is_random_line(lines[k]) ? models->random : models->restarted).push_back(lines[k]);
+    if (starts_with(lines[k], kPhysics))
+      models->physics = lines[k];
+    else
+      (is_random_line(lines[k]) ? models->random : models->restarted).push_back(lines[k]);
   std::istringstream first(lines[0]);
   std::string plugin, version;
   first >> plugin >> version;
@@ -333,12 +356,14 @@ void say_what_a_data_file_lacks(LAMMPS *lmp)
 
 void keep_models(LAMMPS *lmp, const char *command, int narg, char **arg)
 {
+  Models *models = models_of(lmp);
+  if (!models) return;
+  if (strcmp(command, "pair_coeff") == 0) models->coefficients = joined(0, narg, arg);
+  if (strcmp(command, "fix") == 0 && narg > 2) models->fixes[arg[0]] = joined(0, narg, arg);
   const bool is_pair = strcmp(command, "pair_style") == 0 && narg > 0;
   const bool is_wall =
       strcmp(command, "fix") == 0 && narg > 2 && strncmp(arg[2], "wall/gran", 9) == 0;
   if (!is_pair && !is_wall) return;
-  Models *models = models_of(lmp);
-  if (!models) return;
   if (is_pair)
     models->pair = joined(0, narg, arg);
   else
@@ -366,6 +391,23 @@ void say_which_models_differ(LAMMPS *lmp)
                 "Command read_restart: contact models or walls are others than the file's (in the "
                 "file: %s; now: %s)",
                 told(then, now).c_str(), told(now, then).c_str());
+}
+
+void look_at_restarted_rods(LAMMPS *lmp)
+{
+  const Models *models = models_of(lmp);
+  if (models && !models->physics.empty())
+    rods_of(lmp, "Command read_restart").attached<KeptForces>().look_at_rods();
+}
+
+void go_on_with_forces(LAMMPS *lmp)
+{
+  Models *models = models_of(lmp);
+  if (!models || models->physics.empty()) return;
+  rods_of(lmp, "Command read_restart")
+      .attached<KeptForces>()
+      .use(models->physics == physics_of(*models, lmp));
+  models->physics.clear();
 }
 
 void go_on_with_random_numbers(LAMMPS *lmp)

@@ -32,6 +32,11 @@ void keep_models(LAMMPS_NS::LAMMPS *lmp, const char *command, int narg, char **a
 // When a run begins after a restart was read: says which models and walls are others than the file's.
 void say_which_models_differ(LAMMPS_NS::LAMMPS *lmp);
 
+// When that run begins, and when it is set up: its first step takes the forces of the file, if it was written
+// within a run and neither rods nor what acts on them is another now.
+void look_at_restarted_rods(LAMMPS_NS::LAMMPS *lmp);
+void go_on_with_forces(LAMMPS_NS::LAMMPS *lmp);
+
 // When the first run is set up, and nothing is drawn before its first step.
 void go_on_with_random_numbers(LAMMPS_NS::LAMMPS *lmp);
 

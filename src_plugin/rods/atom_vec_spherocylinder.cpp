@@ -15,6 +15,7 @@
 #include "rods/data_lines.h"
 #include "rods/field_arrays.h"
 #include "rods/field_travel.h"
+#include "rods/kept_forces.h"
 
 using namespace LAMMPS_NS;
 namespace sc = spherocylinder;
@@ -290,7 +291,8 @@ int AtomVecSpherocylinder::size_restart()
 {
   if (watcher_) watcher_->rods_are_written();
   const int nlocal = atom->nlocal;
-  int n = (1 + rod_field_size(kWhole)) * nlocal;
+  const KeptForces &forces = attached<KeptForces>();
+  int n = (1 + rod_field_size(kWhole) + (forces.are_written() ? KeptForces::kNumbers : 0)) * nlocal;
   for (int iextra = 0; iextra < atom->nextra_restart; iextra++)
     for (int i = 0; i < nlocal; i++) n += modify->fix[atom->extra_restart[iextra]]->size_restart(i);
   return n;
@@ -301,6 +303,8 @@ int AtomVecSpherocylinder::pack_restart(int i, double *buf)
   int m = 1 + pack(kWhole, 1, &i, buf + 1, 0, nullptr);
   for (int iextra = 0; iextra < atom->nextra_restart; iextra++)
     m += modify->fix[atom->extra_restart[iextra]]->pack_restart(i, &buf[m]);
+  const KeptForces &forces = attached<KeptForces>();
+  if (forces.are_written()) m += forces.pack(i, &buf[m]);
   buf[0] = m;
   return m;
 }
@@ -312,13 +316,15 @@ int AtomVecSpherocylinder::unpack_restart(double *buf)
     if (atom->nextra_store) memory->grow(atom->extra, nmax, atom->nextra_store, "atom:extra");
   }
   const int i = atom->nlocal;
-  int m = static_cast<int>(unpack(kWhole, 1, i, buf + 1) - buf);
-  if (atom->nextra_store) {
-    const int size = static_cast<int>(buf[0]) - m;
-    for (int k = 0; k < size; k++) atom->extra[i][k] = buf[m++];
-  }
+  const int m = static_cast<int>(unpack(kWhole, 1, i, buf + 1) - buf),
+            end = static_cast<int>(buf[0]);
+  const bool has_forces =
+      end - m >= KeptForces::kNumbers && attached<KeptForces>().take(i, buf + end);
+  const int others = has_forces ? end - KeptForces::kNumbers : end;
+  if (atom->nextra_store)
+    for (int k = m; k < others; k++) atom->extra[i][k - m] = buf[k];
   atom->nlocal++;
-  return m;
+  return end;
 }
 
 /* ----------------------------------------------------------------------

@@ -251,8 +251,9 @@ TEST(RestartFilesOfSpheres, GoBothWays)
   }
   const DeckFolder folder;
   folder.write("balls.data", granular_data_file(scene.rods, -1.0, 1.0));
-  const std::string start = "atom_style granular\natom_modify map array\nboundary f f f\nnewton "
-                            "off\ncommunicate single vel yes\nunits si\n";
+  const std::string start =
+      "atom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton "
+      "off\ncommunicate single vel yes\nunits si\n";
   const std::string rest = "neighbor 0.02 bin\nfix motion all nve/sphere\ntimestep 1e-5\n" +
                            exact_dump("dump.{}", 10, "id x y z vx vy vz");
   const auto deck = [&](const std::string &from, const std::string &dump, const std::string &then) {
@@ -301,7 +302,11 @@ TEST_P(SplitRun, IsTheRunThatWasNotSplit)
       largest = std::max(largest, largest_difference(whole, rest));
     }
   const std::string who = fmt::format("Run of 1000 steps on {} ranks, split at 3 places: ", ranks);
-  expect_holds({who + "position on as many (m)", "same bits", 0.0}, equal);
+  // On several ranks rods change hands at other steps, and forces are summed in another order.
+  if (ranks == 1)
+    expect_holds({who + "position on as many (m)", "same bits", 0.0}, equal);
+  else
+    expect_holds({who + "position on as many (m)", "unsplit", 1e-15}, equal);
   expect_holds({who + "position on other numbers (m)", "unsplit", 1e-10}, other);
 }
 

@@ -111,6 +111,43 @@ def test_stopped_by_a_signal(copy):
     assert not list((copy / "beds").glob("*/wall_seconds"))
 
 
+# A case that is killed goes on from the newer of its two restart files, to the same bed.
+def test_a_killed_case_goes_on(copy, programs):
+    every = "-var restart_every 2000 -var dump_every 5000 -var thermo_every 1000"
+    lmp(copy, f"exec {programs}/lmp \"$@\" {FEW_RODS} {every}\n")
+    assert run(copy, "--out", copy / "whole", "--jobs", "2").returncode == 0
+    lmp(copy, f'echo "$*" >>{copy}/calls\n'
+              f'case "$*" in *"from restart"*) ;; *in.settle*) (sleep 0.1; while [ ! -s restart.settle.b ]; do '
+              f"sleep 0.01; done; kill -9 $$) & ;; esac\n"
+              f"exec {programs}/lmp \"$@\" {FEW_RODS} {every}\n")
+    killed = run(copy, "--out", copy / "beds", "--jobs", "2")
+    assert killed.returncode == 1
+    done = run(copy, "--out", copy / "beds", "--jobs", "2")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "-var from restart.settle." in (copy / "calls").read_text()
+    for folder in (copy / "whole").glob("lambda*"):
+        there = copy / "beds" / folder.name
+        assert (there / "dump.settle").read_text() == (folder / "dump.settle").read_text()
+        assert (there / "packing.csv").read_text() == (folder / "packing.csv").read_text()
+        assert not list(there.glob("restart.*.[ab]"))
+
+
+def test_whole_restart_files_are_told(copy, tmp_path, programs):
+    from studies.common import resume
+    subprocess.run([programs / "lmp", "-in", "in.fill", "-log", "log.fill", *FEW_RODS.split()],
+                   cwd=copy / "input", check=True, stdout=subprocess.DEVNULL)
+    whole = (copy / "input/restart.fill").read_bytes()
+    path = tmp_path / "file"
+    path.write_bytes(whole)
+    assert resume.step_of_whole_restart(path) == 35000
+    assert resume.step_of_whole_restart(tmp_path / "none") is None
+    changed = bytearray(whole)
+    changed[len(whole) // 2] ^= 1
+    for wrong in (b"", whole[:-1], whole[:-500], whole[1:], bytes(changed), whole + b" "):
+        path.write_bytes(wrong)
+        assert resume.step_of_whole_restart(path) is None
+
+
 @pytest.mark.parametrize("arguments, words", [
     (["--seeds", "11"], "run: --seeds must be 1 to 10 (got '11')"),
     (["--jobs", "0"], "run: --jobs must be a whole number > 0 (got '0')"),

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rods/kept_forces.h"
+
+#include <algorithm>
+#include <map>
+
+#include <mpi.h>
+
+#include "atom.h"
+#include "lammps.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+// No value of a rod or of a contact.
+constexpr double kMark = 0x1.f04ce5p-1001;
+
+}  // namespace
+
+std::array<double, 13> KeptForces::state_of(const Atom &atom, int i)
+{
+  const double *x = atom.x[i], *v = atom.v[i], *w = atom.omega[i], *q = atom.quaternion[i];
+  return {x[0], x[1], x[2], v[0], v[1], v[2], w[0], w[1], w[2], q[0], q[1], q[2], q[3]};
+}
+
+bool KeptForces::are_written() const { return lmp_->update->whichflag == 1; }
+
+int KeptForces::pack(int i, double *buffer) const
+{
+  for (int d = 0; d < 3; d++) {
+    buffer[d] = lmp_->atom->f[i][d];
+    buffer[3 + d] = lmp_->atom->torque[i][d];
+  }
+  buffer[6] = kMark;
+  return kNumbers;
+}
+
+bool KeptForces::take(int i, const double *end)
+{
+  if (end[-1] != kMark) return false;
+  Kept kept{static_cast<double>(lmp_->atom->tag[i]), state_of(*lmp_->atom, i), {}, {}};
+  std::copy(end - kNumbers, end - 1, kept.forces.begin());
+  std::copy_n(lmp_->atom->angmom[i], 3, kept.angmom.begin());
+  kept_.push_back(kept);
+  return true;
+}
+
+// Of all ranks by id: rods may have gone to others since they were read.
+std::map<double, KeptForces::Kept> KeptForces::from_all_ranks() const
+{
+  const int mine = static_cast<int>(kept_.size() * sizeof(Kept));
+  int ranks;
+  MPI_Comm_size(lmp_->world, &ranks);
+  std::vector<int> sizes(ranks), starts(ranks, 0);
+  MPI_Allgather(&mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, lmp_->world);
+  for (int rank = 1; rank < ranks; rank++) starts[rank] = starts[rank - 1] + sizes[rank - 1];
+  std::vector<Kept> all((starts.back() + sizes.back()) / sizeof(Kept));
+  MPI_Allgatherv(kept_.data(), mine, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE,
+                 lmp_->world);
+  std::map<double, Kept> by_id;
+  for (const Kept &kept : all) by_id[kept.id] = kept;
+  return by_id;
+}
+
+void KeptForces::look_at_rods()
+{
+  const std::map<double, Kept> all = from_all_ranks();
+  kept_.clear();
+  for (int i = 0; i < lmp_->atom->nlocal; i++) {
+    const auto found = all.find(lmp_->atom->tag[i]);
+    if (found != all.end() && found->second.state == state_of(*lmp_->atom, i))
+      kept_.push_back(found->second);
+  }
+}
+
+void KeptForces::use(bool they_hold)
+{
+  const std::map<double, Kept> all = from_all_ranks();
+  kept_.clear();
+  if (!they_hold) return;
+  for (int i = 0; i < lmp_->atom->nlocal; i++) {
+    const auto found = all.find(lmp_->atom->tag[i]);
+    if (found == all.end()) continue;
+    const std::array<double, 6> &forces = found->second.forces;
+    std::copy_n(found->second.angmom.begin(), 3, lmp_->atom->angmom[i]);
+    for (int d = 0; d < 3; d++) {
+      lmp_->atom->f[i][d] = forces[d];
+      lmp_->atom->torque[i][d] = forces[3 + d];
+    }
+  }
+}
