@@ -47,7 +47,7 @@ def cut_dump(path: Path, step: int) -> None:
 
 
 def run_deck(folder: Path | str, deck: str, variables: dict | None = None, **options) -> cases.Run:
-    """cases.run_deck of a deck of `input` that knows `from`. What a killed run of the same words, decks and plug-in
+    """cases.run_deck of a deck of `input` that knows `go_on`. What a killed run of the same words, decks and plug-in
     left in the folder is gone on with; the seconds of such a run are not known."""
     folder, variables = Path(folder), variables or {}
     name = re.sub(r"^in\.", "", deck)
@@ -63,7 +63,7 @@ def run_deck(folder: Path | str, deck: str, variables: dict | None = None, **opt
     if newest and begun.exists() and begun.read_text().strip() == key:
         step, file = newest
         cut_dump(folder / f"dump.{name}", step)
-        run = cases.run_deck(folder, deck, variables | {"from": file}, **options)
+        run = cases.run_deck(folder, deck, variables | {"go_on": 1, "from": file}, **options)
         run = replace(run, loop_seconds=math.nan, cpu_seconds=math.nan)
     else:
         for letter in "ab":

@@ -117,7 +117,7 @@ def test_a_killed_case_goes_on(copy, programs):
     lmp(copy, f"exec {programs}/lmp \"$@\" {FEW_RODS} {every}\n")
     assert run(copy, "--out", copy / "whole", "--jobs", "2").returncode == 0
     lmp(copy, f'echo "$*" >>{copy}/calls\n'
-              f'case "$*" in *"from restart"*) ;; *in.settle*) (sleep 0.1; while [ ! -s restart.settle.b ]; do '
+              f'case "$*" in *"go_on 1"*) ;; *in.settle*) (sleep 0.1; while [ ! -s restart.settle.b ]; do '
               f"sleep 0.01; done; kill -9 $$) & ;; esac\n"
               f"exec {programs}/lmp \"$@\" {FEW_RODS} {every}\n")
     killed = run(copy, "--out", copy / "beds", "--jobs", "2")
