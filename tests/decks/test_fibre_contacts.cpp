@@ -318,7 +318,6 @@ TEST(FibreJointContacts, InsideOfAGentleBend)
 // Each of a plane's and a cylinder's contacts with a joint is half of either segment's.
 struct OnWall {
   const char *name, *wall;
-  double z;  // of the wall below the fibre
 };
 class FibreOnWall : public testing::TestWithParam<OnWall> {};
 
@@ -359,13 +358,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         OnWall{
             "a plane",
-            "fix floor all wall/gran model linear surface spherocylinder primitive type 1 zplane 0.0\n",
-            0.0},
+            "fix floor all wall/gran model linear surface spherocylinder primitive type 1 zplane 0.0\n"},
         OnWall{
             "a mesh",
             "fix sheet all mesh/surface file floor.stl type 1\n"
-            "fix floor all wall/gran model linear surface spherocylinder mesh n_meshes 1 meshes sheet\n",
-            0.0}),
+            "fix floor all wall/gran model linear surface spherocylinder mesh n_meshes 1 meshes sheet\n"}),
     [](const auto &info) { return std::string(info.param.name + 2); });
 
 // What LIGGGHTS's other models make of a contact next to a joint, cohesion and rolling friction too.
@@ -378,17 +375,14 @@ TEST_P(FibreModels, SlideOverAJoint)
 {
   RideOptions options;
   options.models = GetParam().models;
-  options.material =
-      linear_material(kStiffness, kStiffness, 1.0, kFriction) +
-      "fix y all property/global youngsModulus peratomtype 5e7\n"
-      "fix nu all property/global poissonsRatio peratomtype 0.3\n"
-      "fix cv all property/global characteristicVelocity scalar 0.1\n"
-      "fix gn all property/global gamman peratomtypepair 1 0\n"
-      "fix gt all property/global gammat peratomtypepair 1 0\n"
-      "fix ced all property/global cohesionEnergyDensity peratomtypepair 1 1e4\n"
-      "fix crf all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
-      "fix kns all property/global kn peratomtypepair 1 1e3\n"
-      "fix kts all property/global kt peratomtypepair 1 1e3\n";
+  options.material = linear_material(kStiffness, kStiffness, 1.0, kFriction) +
+                     "fix y all property/global youngsModulus peratomtype 5e7\n"
+                     "fix nu all property/global poissonsRatio peratomtype 0.3\n"
+                     "fix cv all property/global characteristicVelocity scalar 0.1\n"
+                     "fix gn all property/global gamman peratomtypepair 1 0\n"
+                     "fix gt all property/global gammat peratomtypepair 1 0\n" +
+                     pair_property("cohesionEnergyDensity", 1, 1e4) +
+                     pair_property("coefficientRollingFriction", 1, 0.1);
   const Ride one = slide(one_rod(4), kLong, degrees(60.0), options);
   const Ride fibre = slide(straight(4), kLong, degrees(60.0), options);
   expect_holds({fmt::format("Rod that slides over a joint, {}: force, relative", GetParam().models),
