@@ -31,13 +31,13 @@ struct ContactBatch {
   // at a joint of a fibre (core/joint_share.h).
   spherocylinder::Doubles weight{};
 
-  // What contacts spread over nearly parallel rods push beside the law's force, over the stiffness: see
-  // spherocylinder::RodContact.
+  // What contacts spread over nearly parallel rods push beside the law's force, over the stiffness
+  // (spherocylinder::RodContact); and those at a joint, over their share (JointShares::Share).
   struct Spread {
     int k;
     spherocylinder::Vec3 sideways, couple_i, couple_j;  // m, m^2
   };
-  Spread spread[spherocylinder::kBatch];
+  Spread spread[2 * spherocylinder::kBatch];  // and beside it at a joint
   int spread_count = 0;
 
   // Of pairs, once a law has had its say: overlap over the sum of the radii.

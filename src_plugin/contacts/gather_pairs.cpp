@@ -147,9 +147,22 @@ void PairGatherer::fill(ContactBatch &batch, const TouchingRodPairs &touching,
   std::fill(states_i + batch.count, states_i + kBatch, states_i[0]);
   std::fill(states_j + batch.count, states_j + kBatch, states_j[0]);
   batch.spread_count = 0;
-  if (place_at_closest_points(arms, states_i, states_j, points, batch.count)) return;
-  for (int k = 0; k < batch.count; k++)
+  const bool all_placed = place_at_closest_points(arms, states_i, states_j, points, batch.count);
+  for (int k = 0; !all_placed && k < batch.count; k++)
     if (points.distance_squared[k] == 0.0 || (spread && points.nearly_parallel[k] != 0.0))
       place_otherwise(batch, k, touching.touch(first + k),
                       remember ? batch.history[k] + histories.side : nullptr, spread);
+  if (touching.shares(first)) push_at_joints(batch, touching, first);
+}
+
+void PairGatherer::push_at_joints(ContactBatch &batch, const TouchingRodPairs &touching, int first)
+{
+  for (int k = 0; k < batch.count; k++) {
+    if (batch.weight[k] == 1.0) continue;
+    const double scale = 1.0 / batch.weight[k];
+    const Vec3 on_i = scale * touching.push_i(first + k), on_j = scale * touching.push_j(first + k);
+    const Vec3 delta = batch.arms.distance[k] * batch.arms.normal.get(k);
+    // The push on i acts where j is touched, and the other way round.
+    batch.spread[batch.spread_count++] = {k, on_i - on_j, -cross(delta, on_i), cross(delta, on_j)};
+  }
 }

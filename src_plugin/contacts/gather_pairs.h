@@ -84,6 +84,7 @@ class PairGatherer : protected Pointers {
   spherocylinder::InverseInertia inverse_of(int i, int frozen_groups, int driven_groups,
                                             bool effective_mass) const;
   void set_kind(ContactBatch &batch, int k) const;
+  static void push_at_joints(ContactBatch &batch, const TouchingRodPairs &touching, int first);
   void place_otherwise(ContactBatch &batch, int k, const TouchingRodPairs::Touch &touch,
                        const double *side, bool spread) const;
 };

@@ -139,5 +139,9 @@ bool WallGatherer::add_outside(ContactBatch &batch, const MovingWall &wall, int 
   batch.arms.overlap[k] = touch.overlap;
   batch.arms.mass_share[k] = touch.share;
   batch.spread[batch.spread_count++] = {k, touch.sideways, touch.couple_i, touch.couple_j};
+  if (at_joint.share < 1.0) {
+    const Vec3 push = (1.0 / at_joint.share) * at_joint.push;
+    batch.spread[batch.spread_count++] = {k, push, -cross(touch.points.delta, push), kZero};
+  }
   return true;
 }

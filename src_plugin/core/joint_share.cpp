@@ -118,6 +118,27 @@ double share_at_joint(const LinePatch &own, const LinePatch &next, double longes
       std::max(before_joint(own, longest), before_joint(mean_of(own, next), longest)));
 }
 
+ShareSlope slope_of_share(const LinePatch &own, const LinePatch &next, double longest)
+{
+  constexpr double kWhollyOwn = 0.2;
+  const LinePatch mean = mean_of(own, next);
+  const double of_own = before_joint(own, longest), of_mean = before_joint(mean, longest);
+  const bool goes_by_own = of_own > of_mean;
+  const double y = std::clamp(goes_by_own ? of_own : of_mean, 0.0, 1.0);
+  const double length = 2.0 * std::min(goes_by_own ? own.half : mean.half, longest);
+  if (!(length > 0.0)) return {0.0, 0.0};
+  // More than one together: the inside of a bent joint.
+  const double more = of_own + before_joint(next, longest) - 1.0;
+  return {6.0 * y * (1.0 - y) / length, smooth_step(more / kWhollyOwn)};
+}
+
+Vec3 advance_on_line(const Vec3 &line, const Vec3 &other, bool at_end)
+{
+  const double cosine = dot(line, other), squared_sine = 1.0 - cosine * cosine;
+  if (at_end || !(squared_sine > 0.0)) return line;
+  return (1.0 / squared_sine) * (line - cosine * other);
+}
+
 double reach_beyond_joint(const LinePatch &own, const LinePatch &next, double longest,
                           double within)
 {

@@ -51,6 +51,17 @@ inline double longest_shared(double own, double next, double other, double radiu
 // with a third, bear as two.
 double share_at_joint(const LinePatch &own, const LinePatch &next, double longest);
 
+// By how much it falls with the distance of the patch outwards (1/m), and how far that is the rod's own patch, 1,
+// or the mean of both, 0: without a step where a joint turns from one side to the other.
+struct ShareSlope {
+  double fall, by_own;
+};
+ShareSlope slope_of_share(const LinePatch &own, const LinePatch &next, double longest);
+
+// How the place where a line is nearest to another moves with that one, along the line: no motion of an axis
+// along itself counts, unless `at_end` of it is nearest.
+Vec3 advance_on_line(const Vec3 &line, const Vec3 &other, bool at_end);
+
 // Whether `own` lies so far before the joint that its rod has all of it, whatever the other's is.
 bool is_all_before_joint(const LinePatch &own, double longest);
 

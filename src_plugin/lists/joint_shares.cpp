@@ -2,6 +2,7 @@
 #include "lists/joint_shares.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "atom.h"
 #include "core/closest_points.h"
@@ -62,12 +63,38 @@ void JointShares::share_at_end(Share &share, int i, bool head, const Capsule &ro
       static_cast<const AtomVecSpherocylinder &>(*atom->avec).capsule(neighbours_[i][head]).segment;
   const LinePatch of_next = patch_on_line(line_through_end(next, !head), other, reach);
   const double longest = longest_shared(half, next.half_length, other.half_length, rod.radius);
-  share.share *= share_at_joint(own, of_next, longest);
-  if (share.share == 0.0 || (head ? s : -s) < half) return;
-  const double along = closest_points(next, other).s;
-  const double beyond =
-      reach_beyond_joint(own, of_next, longest, next.half_length + (head ? along : -along));
-  if (beyond > 0.0) share.beyond = head ? beyond : -beyond;
+  const double of_joint = share_at_joint(own, of_next, longest);
+  const double before = share.share;
+  share.share *= of_joint;
+  share.push = of_joint * share.push;
+  if (share.share == 0.0) return;
+  // Positions inwards of the two ends; where one is at its end, it reaches on to the other's.
+  const ClosestPoints nearest = closest_points(next, other);
+  const double within = half - (head ? s : -s);
+  const double within_next = next.half_length + (head ? nearest.s : -nearest.s);
+  double beyond_next = 0.0;
+  if (!(within > 0.0)) {
+    const double beyond = reach_beyond_joint(own, of_next, longest, within_next);
+    if (beyond > 0.0) share.beyond = head ? beyond : -beyond;
+  } else if (!(within_next > 0.0)) {
+    beyond_next = reach_beyond_joint(of_next, own, longest, within);
+  }
+  const ShareSlope slope = slope_of_share(own, of_next, longest);
+  if (slope.fall == 0.0) return;
+  const ClosestPoints points = closest_points(extended(rod.segment, share.beyond), other);
+  const ClosestPoints points_next =
+      closest_points(extended(next, head ? -beyond_next : beyond_next), other);
+  const auto square = [reach](const ClosestPoints &at) {
+    const double overlap = std::max(0.0, reach - std::sqrt(at.distance_squared));
+    return overlap * overlap;
+  };
+  // E = k/2 (w d^2 + w' d'^2), both of which change as the mean moves, or either as its own does.
+  const double squares =
+      square(points) - 0.5 * (1.0 - slope.by_own) * (square(points) + square(points_next));
+  const bool at_end = std::fabs(points.t) >= other.half_length;
+  const Vec3 outward = (head ? 1.0 : -1.0) * rod.segment.axis;
+  share.push = share.push -
+               (0.5 * before * slope.fall * squares) * advance_on_line(outward, other.axis, at_end);
 }
 
 JointShares::Share JointShares::of_one(int i, int j, const std::vector<Capsule> &rods,

@@ -27,6 +27,9 @@ class JointShares : protected Pointers {
     double share = 1.0;
     double beyond =
         0.0;  // how far beyond a joint it may be: at the head, or negative at the tail (m)
+    // Force on the rod, over the stiffness, at the other one's point of contact (m): as its share grows and
+    // its neighbour's falls, their energies differ if the joint is stretched.
+    spherocylinder::Vec3 push = spherocylinder::kZero;
   };
   // Of rod i in the contact with rod j at s on the axis of i. That of the pair is the product of both rods'.
   Share of_one(int i, int j, const std::vector<spherocylinder::Capsule> &rods, double s) const;

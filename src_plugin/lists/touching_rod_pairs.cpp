@@ -26,8 +26,11 @@ void TouchingRodPairs::make_room(size_t close)
 {
   // Lanes are written and read up to a batch behind the last.
   const size_t room = close + kBatch;
-  if (shares_ && share_.size() < room)
+  if (shares_ && share_.size() < room) {
     for (std::vector<double> *numbers : {&share_, &beyond_i_, &beyond_j_}) numbers->resize(room);
+    push_i_.resize(room);
+    push_j_.resize(room);
+  }
   if (of_close_.size() >= room) return;
   of_close_.resize(room);
   for (std::vector<double> *numbers :
@@ -120,6 +123,8 @@ void TouchingRodPairs::share(Piece &piece, Searcher &searcher, const std::vector
       continue;
     }
     share_[n] = share;
+    push_i_[n] = of_j.share * of_i.push;
+    push_j_[n] = of_i.share * of_j.push;
     beyond_i_[n] = of_i.beyond;
     beyond_j_[n] = of_j.beyond;
     if (of_i.beyond != 0.0 || of_j.beyond != 0.0)

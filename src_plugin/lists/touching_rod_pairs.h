@@ -77,6 +77,9 @@ class TouchingRodPairs {
 
   // Of the one in this place; null without fibres.
   const double *shares(int first) const { return shares_ ? &share_[first] : nullptr; }
+  // Then, where it is not all: what each rod is pushed beside, JointShares::Share.
+  const spherocylinder::Vec3 &push_i(int n) const { return push_i_[n]; }
+  const spherocylinder::Vec3 &push_j(int n) const { return push_j_[n]; }
 
   // Those from the place `first` on, and whatever stands behind the last up to a whole batch.
   spherocylinder::ClosestLanes lanes(int first) const
@@ -114,6 +117,7 @@ class TouchingRodPairs {
       of_close_;  // and of each the numbers of its touch, a batch longer than the close pairs
   std::vector<double> s_, t_, delta_x_, delta_y_, delta_z_, distance_squared_, nearly_parallel_;
   std::vector<double> share_, beyond_i_, beyond_j_;  // the same, with fibres
+  std::vector<spherocylinder::Vec3> push_i_, push_j_;
 
   void make_room(size_t close);
   void keep_touching(Piece &piece, Searcher &searcher, int start, int count, int **contact_flags);
