@@ -472,13 +472,18 @@ INSTANTIATE_TEST_SUITE_P(
         OnWall{"a cylinder",
                "fix drum all wall/gran model linear tangential history surface spherocylinder "
                "primitive type 1 ycylinder 0.03 -0.03 0.0\n"},
+        // Its surface goes along, so that springs last.
+        OnWall{"a turning cylinder",
+               "fix drum all wall/gran model linear tangential history surface spherocylinder "
+               "primitive type 1 ycylinder 0.03 -0.03 0.0 shear x 3.3333333333333333\n"},
         OnWall{
             "an edge",
             "fix roof all mesh/surface file roof.stl type 1\n"
             "fix walls all wall/gran model linear tangential history surface spherocylinder mesh n_meshes 1 meshes roof\n"}),
     [](const auto &info) {
       const std::string name = info.param.name;
-      return name.substr(name.find(' ') + 1);
+      return name.substr(name.rfind(' ') + 1) +
+             (name.find("turning") == std::string::npos ? "" : "Turning");
     });
 
 }  // namespace
