@@ -85,7 +85,7 @@ Scene glancing_blows(int count, double dt_factor, const std::string &material,
     rod.density = fibre.density;
     const double angle = degrees(90.0 - 6.0 * (n % 10));
     rod.axis = {std::cos(angle), std::sin(angle), 0.0};
-    rod.position = {-2.5e-3 + 4e-4 * n, y + 1e-3 * (n % 3), 2.0 * fibre.radius + 5e-5};
+    rod.position = {-2.5e-3 + 4e-4 * (n % 16), y + 1e-3 * (n % 3), 2.0 * fibre.radius + 5e-5};
     rod.velocity = {1.0, 0.0, -0.1};
     rods.push_back(rod);
     scene.rods.insert(scene.rods.end(), rods.begin(), rods.end());
@@ -173,6 +173,26 @@ TEST(FibreBlows, KeepTheirMomentum)
       {"Rods that slide over joints, 2 and 4 ranks: places and axes (m)", "one rank", 1e-12},
       std::max(largest_difference(of_ranks[0], of_ranks[1]),
                largest_difference(of_ranks[0], of_ranks[2])));
+}
+
+// Histories that go along, and sums of forces, whatever threads do.
+TEST(FibreBlows, SameBitsForThreads)
+{
+  std::vector<std::vector<Frame>> runs;
+  for (const int threads : {1, 3}) {
+    Scene scene = glancing_blows(
+        150, 0.5, linear_material(1e3, 1e3, 0.5, 0.3),
+        fmt::format("linear tangential history surface spherocylinder threads {}", threads));
+    const size_t at = scene.physics.find(" surface spherocylinder", scene.physics.find("threads"));
+    scene.physics.erase(at, std::string(" surface spherocylinder").size());
+    scene.skin = 0.005;
+    runs.push_back(run(scene));
+  }
+  double touched = 0.0;
+  for (size_t k = kSegments; k < runs[0].back().rods.size(); k += kSegments + 1)
+    touched += runs[0].back().rods[k].velocity.z > -0.09;
+  EXPECT_GT(touched, 100.0);
+  EXPECT_EQ(largest_difference(runs[0], runs[1]), 0.0);
 }
 
 // Joints of short segments, of which second neighbours overlap by geometry.
