@@ -25,6 +25,18 @@ ContactNumbers contact_numbers(const std::vector<std::uint32_t> &of_rods)
   return numbers;
 }
 
+// What lies on an end that two segments share counts once; then the contacts of whole fibres.
+void count_once(const Bed &bed, BedContacts &found)
+{
+  const std::size_t before = found.pairs.size() + found.walls.size();
+  leave_out_doubles(bed.rods, bed.fibres, found.pairs);
+  leave_out_doubles(bed.fibres, found.walls);
+  found.doubles = before - found.pairs.size() - found.walls.size();
+  found.fibres = fibre_shapes(bed.rods, bed.fibres);
+  found.of_fibres = fibre_contacts(bodies_of_rods(bed.fibres), bed.stretched.size(), found.pairs,
+                                   found.walls);
+}
+
 void count_contacts(BedContacts &found)
 {
   std::vector<std::uint32_t> of_rods = pair_contact_numbers(found.rods, found.pairs);
@@ -34,9 +46,10 @@ void count_contacts(BedContacts &found)
   found.without_contact = part_of(found.with_walls.rods_with[0], found.rods);
 }
 
-void compare_with_uncorrelated(const std::vector<Rod> &rods, BedContacts &found)
+void compare_with_uncorrelated(const Bed &bed, BedContacts &found)
 {
-  found.kinds = contact_kinds(rods, found.pairs);
+  const std::vector<Rod> &rods = bed.rods;
+  found.kinds = contact_kinds(rods, found.pairs, bed.fibres);
   found.uncorrelated = {none, none, none};
   found.sin_gamma_of_all = none;
   const std::vector<Vec3> axes = axes_of(rods);
@@ -45,7 +58,7 @@ void compare_with_uncorrelated(const std::vector<Rod> &rods, BedContacts &found)
     return rod.capsule.aspect_ratio() - 1.0;
   };
   found.sin_gamma_of_all = mean_sin_gamma(axes);
-  found.uncorrelated = uncorrelated_contact_kinds(mean_of(rods, cylinder_over_diameter).mean,
+  found.uncorrelated = uncorrelated_contact_kinds(mean_of(bed.bodies(), cylinder_over_diameter).mean,
                                                   found.sin_gamma_of_all);
 }
 
@@ -61,11 +74,11 @@ MeasuredForces measured(std::vector<ContactForce> contacts)
   return forces;
 }
 
-void find_chains(double strong, BedContacts &found)
+using RodPairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+void find_chains(double strong, const RodPairs &touching, BedContacts &found)
 {
   const std::vector<ContactForce> &forces = found.pair_forces->contacts;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> touching;
-  for (const ClosePair &pair : found.pairs) touching.insert({pair.i, pair.j});
   found.forces_apart =
       std::count_if(forces.begin(), forces.end(), [&](const ContactForce &contact) {
         return touching.count(std::minmax(contact.i, contact.j)) == 0;
@@ -94,18 +107,24 @@ BedContacts measure_contacts(const Bed &bed, const std::optional<Vessel> &vessel
                                 kMostDoubt * largest_diameter(rods));
   std::vector<ClosePair> &pairs = found.pairs;
   pairs = close_pairs(rods, periodicity_of(bed.frame), largest_gap + doubt, largest_gap);
+  const bool has_fibres = bed.fibres.are_there();
+  if (has_fibres) leave_out_joints(rods, bed.fibres, pairs);
   found.doubtful_pairs = std::count_if(pairs.begin(), pairs.end(), [&](const ClosePair &pair) {
     return std::abs(pair.gap - largest_gap) < roundings[pair.i] + roundings[pair.j];
   });
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
                              [&](const ClosePair &pair) { return !(pair.gap < largest_gap); }),
               pairs.end());
+  RodPairs touching;
+  if (pair_forces)
+    for (const ClosePair &pair : pairs) touching.insert({pair.i, pair.j});
   if (vessel) {
     need_rods_inside(bed, *vessel);
     found.walls = wall_contacts(rods, *vessel, largest_gap);
   }
+  if (has_fibres) count_once(bed, found);
   count_contacts(found);
-  compare_with_uncorrelated(rods, found);
+  compare_with_uncorrelated(bed, found);
 
   found.side_position = mean_of(side_positions(rods, pairs));
   std::vector<double> sines;
@@ -120,7 +139,7 @@ BedContacts measure_contacts(const Bed &bed, const std::optional<Vessel> &vessel
   found.strong = found.in_chains = {none, none};
   if (pair_forces) {
     found.pair_forces = measured(std::move(*pair_forces));
-    find_chains(strong, found);
+    find_chains(strong, touching, found);
   }
   if (wall_forces) found.wall_forces = measured(std::move(*wall_forces));
   return found;

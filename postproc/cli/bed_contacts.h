@@ -9,6 +9,7 @@
 #include "cli/beds.h"
 #include "measures/contact_forces.h"
 #include "measures/contact_statistics.h"
+#include "measures/fibre_contacts.h"
 
 namespace spherocylinder {
 
@@ -33,9 +34,12 @@ struct MeasuredForces {
 struct BedContacts {
   std::int64_t step;
   std::size_t rods;
-  std::vector<ClosePair> pairs;
+  std::vector<ClosePair> pairs;  // without the joints of fibres, and those that count twice
   std::size_t doubtful_pairs;  // of which the dump's digits do not tell, see place_roundings
   std::vector<WallContact> walls;
+  std::optional<FibreShapes> fibres;
+  std::optional<FibreContacts> of_fibres;
+  std::size_t doubles;  // contacts left out: on an end that two segments share
   ContactNumbers between_rods, with_walls;
   MeanWithError without_contact;  // part of the rods
   CountedKinds kinds;

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/numbers.h"
 #include "io/input_error.h"
+#include "cli/region_packing.h"
 #include "measures/close_pairs.h"
 #include "solid/capsule_measures.h"
 
@@ -48,8 +51,9 @@ bool has_side(const std::optional<Vessel> &vessel)
   return vessel && std::isfinite(vessel->radius);
 }
 
+// `lambda`: of whole fibres, else that of the rods.
 Order order_of(const std::vector<Rod> &rods, const OrientationOptions &options,
-               std::size_t most_axes)
+               std::size_t most_axes, const std::optional<double> &lambda)
 {
   const std::optional<Vessel> &vessel = options.vessel;
   const std::vector<Vec3> axes = axes_of(rods);
@@ -64,7 +68,8 @@ Order order_of(const std::vector<Rod> &rods, const OrientationOptions &options,
   order.radial =
       has_side(vessel) ? radial_order(rods, vessel->x, vessel->y) : MeanWithError{none, none};
   order.sin_gamma = sin_gamma_of_pairs(axes, most_axes);
-  order.random_contact = random_contact(mean_lambda(rods), order.sin_gamma, options.half_contacts);
+  order.random_contact = random_contact(lambda ? *lambda : mean_lambda(rods), order.sin_gamma,
+                                        options.half_contacts);
   return order;
 }
 
@@ -82,7 +87,8 @@ double wall_distance(const Rod &rod, const Vessel &vessel, NearWall wall)
 }
 
 std::vector<WallBin> by_wall(const std::vector<Rod> &rods, double width,
-                             const OrientationOptions &options)
+                             const OrientationOptions &options,
+                             const std::optional<double> &lambda)
 {
   std::vector<std::vector<Rod>> rods_of_bin;
   for (const Rod &rod : rods) {
@@ -99,7 +105,7 @@ std::vector<WallBin> by_wall(const std::vector<Rod> &rods, double width,
   std::vector<WallBin> bins;
   for (std::size_t k = 0; k < rods_of_bin.size(); k++)
     bins.push_back({width * static_cast<double>(k), width * static_cast<double>(k + 1),
-                    order_of(rods_of_bin[k], options, kMostAxesOfBin),
+                    order_of(rods_of_bin[k], options, kMostAxesOfBin, lambda),
                     elevation_histogram(axes_of(rods_of_bin[k]), options.bins, options.spacing)});
   return bins;
 }
@@ -108,19 +114,44 @@ std::vector<WallBin> by_wall(const std::vector<Rod> &rods, double width,
 MeasuredFraction measured_fraction(const Bed &bed, const OrientationOptions &options, double lambda,
                                    double sin_gamma)
 {
-  const UprightCylinder whole = vessel_up_to(*options.vessel, bed_height(bed.rods).highest_centre);
+  const UprightCylinder whole = vessel_up_to(*options.vessel, height_of(bed).highest_centre);
   need_height(bed, whole);
-  const double inner = solid_fraction(bed.rods, inner_half(whole), kPackingTolerance).fraction;
-  return {total_volume(bed.rods) / volume(whole), inner,
+  const UprightCylinder half = inner_half(whole);
+  const BedSolid solid(bed);
+  const double inner = solid_within(solid, half, kPackingTolerance).value / volume(half);
+  return {solid.volume() / volume(whole), inner,
           inner / random_contact_fraction(lambda, sin_gamma, 1.0)};
 }
 
-void measure_near_pairs(const Bed &bed, const std::vector<Rod> &rods, double near,
-                        BedOrientation &found)
+// Of segments those that never touch are left out; of fibres each pair counts once.
+void measure_near_pairs(const Bed &bed, const std::vector<Rod> &rods,
+                        const OrientationOptions &options, BedOrientation &found)
 {
-  const auto pairs = close_pairs(rods, periodicity_of(bed.frame), near * largest_diameter(rods));
-  found.near_pairs = pairs.size();
-  found.near_sin_gamma = mean_of(pairs, [](const ClosePair &pair) { return pair.sin_gamma; });
+  const double gap = options.near * largest_diameter(rods);
+  if (!bed.fibres.are_there()) {
+    const auto pairs = close_pairs(rods, periodicity_of(bed.frame), gap);
+    found.near_pairs = pairs.size();
+    found.near_sin_gamma = mean_of(pairs, [](const ClosePair &pair) { return pair.sin_gamma; });
+    return;
+  }
+  const std::vector<Rod> &segments = bed.rods;
+  const std::vector<std::uint32_t> body = bodies_of_rods(bed.fibres);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> bodies;
+  std::vector<double> sines;
+  for (const ClosePair &pair : close_pairs(segments, periodicity_of(bed.frame), gap)) {
+    if (segments[pair.i].is_sphere() || segments[pair.j].is_sphere()) continue;
+    if (options.by == AxisOf::Segment) {
+      if (!bed.fibres.never_touch(pair.i, pair.j, segments)) sines.push_back(pair.sin_gamma);
+      continue;
+    }
+    const Rod &a = bed.stretched[body[pair.i]], &b = bed.stretched[body[pair.j]];
+    if (body[pair.i] == body[pair.j] || !has_axis(bed, body[pair.i]) || !has_axis(bed, body[pair.j]))
+      continue;
+    if (bodies.insert(std::minmax(body[pair.i], body[pair.j])).second)
+      sines.push_back(norm(cross(a.capsule.segment.axis, b.capsule.segment.axis)));
+  }
+  found.near_pairs = sines.size();
+  found.near_sin_gamma = mean_of(sines);
 }
 
 std::vector<ElevationRow> rows_of(std::int64_t step, const std::vector<ElevationBin> &histogram,
@@ -175,6 +206,39 @@ auto of_measured(Number number)
   };
 }
 
+template <class Number>  // of the shapes of fibres
+auto of_shapes(Number number)
+{
+  return [number](const BedOrientation &b) {
+    return b.fibres ? static_cast<double>(number(*b.fibres)) : none;
+  };
+}
+
+template <class Mean>
+auto mean_of_shapes(Mean mean)
+{
+  return [mean](const BedOrientation &b) {
+    return b.fibres ? mean(*b.fibres) : MeanWithError{none, none};
+  };
+}
+
+void add_fibre_fields(Fields<BedOrientation> &fields)
+{
+  using S = FibreShapes;
+  fields.add("fibres", kSum, of_shapes([](const S &s) { return s.fibres; }));
+  fields.add("segments", kSum, of_shapes([](const S &s) { return s.segments; }));
+  fields.add("rings", kSum, of_shapes([](const S &s) { return s.rings; }));
+  fields.add("parts_of_fibres", kSum, of_shapes([](const S &s) { return s.parts; }));
+  fields.add_mean("segments_per_fibre", mean_of_shapes([](const S &s) { return s.segments_a_fibre; }));
+  fields.add_mean("contour_length", mean_of_shapes([](const S &s) { return s.contour; }), "_m");
+  fields.add_mean("end_to_end_over_contour", mean_of_shapes([](const S &s) { return s.stretch; }));
+  fields.add_mean("mean_curvature", mean_of_shapes([](const S &s) { return s.curvature; }),
+                  "_per_m");
+  fields.add_mean("persistence_length",
+                  mean_of_shapes([](const S &s) { return MeanWithError{s.persistence, none}; }),
+                  "_m");
+}
+
 void add_elevation_fields(Fields<ElevationRow> &fields)
 {
   using R = ElevationRow;
@@ -192,21 +256,30 @@ void add_elevation_fields(Fields<ElevationRow> &fields)
 
 BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options)
 {
-  const std::vector<Rod> rods = without_spheres(bed.rods);
+  const bool by_fibre = options.by == AxisOf::Fibre;
+  if (by_fibre && !bed.fibres.are_there())
+    throw InputError(fmt::format(
+        "--by: 'fibre' is wanted of a dump with columns of fibre and place, f_fibres[1] and "
+        "f_fibres[2] or those of --fibre-columns, which {} lacks",
+        bed.frame.path));
+  const std::vector<Rod> rods = by_fibre ? bodies_with_axis(bed) : without_spheres(bed.rods);
   if (rods.empty())
-    throw InputError(
-        fmt::format("{}: step {} holds no rods longer than a sphere, wanted at least one",
-                    bed.frame.path, bed.frame.step));
+    throw InputError(fmt::format("{}: step {} holds no {} longer than a sphere, wanted at least one",
+                                 bed.frame.path, bed.frame.step,
+                                 by_fibre ? "open fibres or rods" : "rods"));
+  std::optional<double> lambda;  // of whole fibres
+  if (bed.fibres.are_there()) lambda = mean_lambda(without_spheres(bed.stretched));
   if (options.vessel) need_rods_inside(bed, *options.vessel);
   const std::vector<Vec3> axes = axes_of(rods);
   BedOrientation found{};
   found.step = bed.frame.step;
-  found.lambda = mean_lambda(rods);
-  found.order = order_of(rods, options, kMostAxesPaired);
+  found.lambda = lambda ? *lambda : mean_lambda(rods);
+  if (bed.fibres.are_there()) found.fibres = fibre_shapes(bed.rods, bed.fibres);
+  found.order = order_of(rods, options, kMostAxesPaired, lambda);
   found.tensor = nematic_tensor(axes);
   found.histogram = elevation_histogram(axes, options.bins, options.spacing);
   found.chi_squared = chi_squared_isotropic(found.histogram, axes.size());
-  measure_near_pairs(bed, rods, options.near, found);
+  measure_near_pairs(bed, rods, options, found);
   found.random_contact_isotropic =
       random_contact_fraction(found.lambda, kIsotropicSinGamma, options.half_contacts);
   if (has_side(options.vessel))
@@ -215,11 +288,11 @@ BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options)
   if (!options.wall_width)
     options.wall_width =
         0.25 * mean_of(rods, [](const Rod &rod) { return rod.capsule.length(); }).mean;
-  found.by_wall = by_wall(rods, *options.wall_width, options);
+  found.by_wall = by_wall(rods, *options.wall_width, options, lambda);
   return found;
 }
 
-Fields<BedOrientation> orientation_fields()
+Fields<BedOrientation> orientation_fields(bool with_fibres)
 {
   using B = BedOrientation;
   Fields<B> fields;
@@ -258,7 +331,29 @@ Fields<BedOrientation> orientation_fields()
                   of_measured([](const M &m) { return m.half_contacts; }));
   fields.add("chi2_isotropic", kMean, [](const B &b) { return b.chi_squared; });
   fields.add("chi2_degrees_of_freedom", kSame, [](const B &b) { return b.histogram.size() - 1; });
+  if (with_fibres) add_fibre_fields(fields);
   return fields;
+}
+
+Fields<CorrelationRow> correlation_fields()
+{
+  using R = CorrelationRow;
+  Fields<R> fields;
+  fields.add("step", kSame, [](const R &r) { return r.step; });
+  fields.add("places_apart", kSame, [](const R &r) { return r.correlation.places; });
+  fields.add("distance_m", kMean, [](const R &r) { return r.correlation.distance; });
+  fields.add("pairs", kSum, [](const R &r) { return r.correlation.pairs; });
+  fields.add_mean("cosine", [](const R &r) { return r.correlation.cosine; });
+  return fields;
+}
+
+std::vector<CorrelationRow> correlation_rows(const BedOrientation &bed)
+{
+  std::vector<CorrelationRow> rows;
+  if (!bed.fibres) return rows;
+  for (const TangentCorrelation &correlation : bed.fibres->correlation)
+    rows.push_back({bed.step, correlation});
+  return rows;
 }
 
 Fields<ElevationRow> elevation_fields()

@@ -15,6 +15,9 @@ namespace spherocylinder {
 
 enum class NearWall { Nearest, Side, Floor };
 
+// What has an axis: a segment, or a fibre, from end to end. Rods of their own are both.
+enum class AxisOf { Segment, Fibre };
+
 struct OrientationOptions {
   std::optional<Vessel> vessel;
   std::size_t bins = 18;
@@ -23,6 +26,7 @@ struct OrientationOptions {
   std::optional<double> wall_width;   // of a bin of the distance (m)
   double near = 0.1;                  // gap of near rods, in diameters of the thickest
   double half_contacts = kHalfContactsPerRod;
+  AxisOf by = AxisOf::Segment;
 };
 
 // What is measured of any set of rods: a bed, or those at some distance from a wall.
@@ -50,7 +54,7 @@ struct MeasuredFraction {
 
 struct BedOrientation {
   std::int64_t step;
-  double lambda;  // number mean of the rods with an axis
+  double lambda;  // number mean of the rods with an axis, of fibres of all their length
   Order order;
   NematicTensor tensor;
   std::vector<ElevationBin> histogram;
@@ -60,6 +64,7 @@ struct BedOrientation {
   double random_contact_isotropic;  // V_f of isotropic rods
   std::optional<MeasuredFraction> measured;
   std::vector<WallBin> by_wall;
+  std::optional<FibreShapes> fibres;
 };
 
 // Without a width of the bins by distance takes a quarter of a rod, and keeps it in the options for
@@ -67,7 +72,8 @@ struct BedOrientation {
 // outside the vessel, or bins that are too many.
 BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options);
 
-Fields<BedOrientation> orientation_fields();
+// With those of fibres if there are any.
+Fields<BedOrientation> orientation_fields(bool with_fibres);
 
 // A bin of the elevation, of the bed or, with `low` and `high`, of a bin of the distance.
 struct ElevationRow {
@@ -83,6 +89,14 @@ struct WallRow {
   WallBin bin;
 };
 
+// Axes so many places apart along a fibre.
+struct CorrelationRow {
+  std::int64_t step;
+  TangentCorrelation correlation;
+};
+
+Fields<CorrelationRow> correlation_fields();
+std::vector<CorrelationRow> correlation_rows(const BedOrientation &bed);
 Fields<ElevationRow> elevation_fields();
 Fields<WallRow> wall_fields();
 Fields<ElevationRow> wall_elevation_fields();

@@ -312,7 +312,7 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   p.mean_elevation_deg = axes.empty() ? none : mean_elevation(axes).mean * degrees;
   p.mean_sin_gamma = axes.size() < 2 ? none : mean_sin_gamma(axes);
 
-  const BedSolid solid(bed);
+  const BedSolid solid(bed, overlaps_of(bed));
   p.rods_volume = solid.volume();
   p.overlaps = solid.overlaps.size();
   for (const Overlap &overlap : solid.overlaps) {

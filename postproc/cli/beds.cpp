@@ -148,6 +148,21 @@ std::string fibre_count_line(const FibreShapes &shapes)
   return line;
 }
 
+std::vector<std::uint32_t> bodies_of_rods(const Fibres &fibres)
+{
+  std::vector<std::uint32_t> bodies = fibres.of_rod;
+  auto next = static_cast<std::uint32_t>(fibres.all.size());
+  for (std::uint32_t &body : bodies)
+    if (body == kNoFibre) body = next++;
+  return bodies;
+}
+
+bool has_axis(const Bed &bed, std::uint32_t body)
+{
+  if (bed.stretched[body].is_sphere()) return false;
+  return body >= bed.fibres.all.size() || norm(end_to_end(bed.fibres.all[body], bed.rods)) > 0.0;
+}
+
 std::vector<Rod> bodies_with_axis(const Bed &bed)
 {
   std::vector<Rod> found;

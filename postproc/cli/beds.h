@@ -67,6 +67,12 @@ BedHeight height_of(const Bed &bed);
 // "fibres              12 of 96 segments, ...", for a table on the screen.
 std::string fibre_count_line(const FibreShapes &shapes);
 
+// The place among the bodies of each rod's own, where there are fibres.
+std::vector<std::uint32_t> bodies_of_rods(const Fibres &fibres);
+
+// Whether a body has an axis: rods no longer than thick and rings have none.
+bool has_axis(const Bed &bed, std::uint32_t body);
+
 // Rods no longer than thick and rings have no axis.
 std::vector<Rod> bodies_with_axis(const Bed &bed);
 

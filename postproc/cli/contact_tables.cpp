@@ -49,9 +49,53 @@ double largest_chain(const BedContacts &b)
   return b.chains.sizes.empty() ? 0.0 : static_cast<double>(b.chains.sizes[0]);
 }
 
+// Beds without fibres beside others have none of their numbers.
+template <class Number>
+auto of_shapes(Number number)
+{
+  return [number](const BedContacts &b) {
+    return b.fibres ? static_cast<double>(number(*b.fibres)) : none;
+  };
+}
+
+template <class Number>
+auto of_contacts(Number number)
+{
+  return [number](const BedContacts &b) {
+    return b.of_fibres ? static_cast<double>(number(*b.of_fibres)) : none;
+  };
+}
+
+template <class Mean>
+auto mean_of_contacts(Mean mean)
+{
+  return [mean](const BedContacts &b) {
+    return b.of_fibres ? mean(*b.of_fibres) : MeanWithError{none, none};
+  };
+}
+
+void add_fibre_fields(Fields<BedContacts> &fields)
+{
+  using S = FibreShapes;
+  using C = FibreContacts;
+  fields.add("fibres", kSum, of_shapes([](const S &s) { return s.fibres; }));
+  fields.add("segments", kSum, of_shapes([](const S &s) { return s.segments; }));
+  fields.add("rings", kSum, of_shapes([](const S &s) { return s.rings; }));
+  fields.add("parts_of_fibres", kSum, of_shapes([](const S &s) { return s.parts; }));
+  fields.add("contacts_on_shared_ends_left_out", kSum,
+             [](const BedContacts &b) { return b.doubles; });
+  fields.add("fibre_contacts", kSum, of_contacts([](const C &c) { return c.between; }));
+  fields.add("self_contacts", kSum, of_contacts([](const C &c) { return c.with_itself; }));
+  fields.add_mean("contacts_per_fibre", mean_of_contacts([](const C &c) { return c.per_fibre; }));
+  fields.add_mean("contacts_per_fibre_with_walls",
+                  mean_of_contacts([](const C &c) { return c.with_walls; }));
+  fields.add_mean("fibres_touched_per_fibre",
+                  mean_of_contacts([](const C &c) { return c.touched; }));
+}
+
 }  // namespace
 
-Fields<BedContacts> contact_summary_fields()
+Fields<BedContacts> contact_summary_fields(bool with_fibres)
 {
   using B = BedContacts;
   Fields<B> fields;
@@ -103,6 +147,7 @@ Fields<BedContacts> contact_summary_fields()
   fields.add("largest_chain_rods", kMean, largest_chain);
   fields.add("largest_chain_rods_error", kError, no_error);
   fields.add_mean("rods_in_chains_fraction", [](const B &b) { return b.in_chains; });
+  if (with_fibres) add_fibre_fields(fields);
   return fields;
 }
 

@@ -11,7 +11,8 @@
 
 namespace spherocylinder {
 
-Fields<BedContacts> contact_summary_fields();
+// With those of fibres if there are any.
+Fields<BedContacts> contact_summary_fields(bool with_fibres);
 
 // How many rods have so many contacts.
 struct NumberRow {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/region_packing.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/numbers.h"
 #include "core/parallel.h"
 #include "measures/close_pairs.h"
+#include "measures/fibre_contacts.h"
 #include "solid/overlap_volume.h"
 
 namespace spherocylinder {
@@ -108,12 +109,7 @@ RegionPacking packing_of(const UprightBox &bounds, double space, const BoundedVo
 std::vector<Overlap> overlaps_of(const Bed &bed)
 {
   auto pairs = close_pairs(bed.rods, periodicity_of(bed.frame), 0.0);
-  if (bed.fibres.are_there())
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                               [&](const ClosePair &pair) {
-                                 return bed.fibres.never_touch(pair.i, pair.j, bed.rods);
-                               }),
-                pairs.end());
+  if (bed.fibres.are_there()) leave_out_joints(bed.rods, bed.fibres, pairs);
   std::vector<Overlap> overlaps(pairs.size());
   for_each_piece(pairs.size(), kPairsAPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; k++) {
@@ -129,8 +125,8 @@ std::vector<Overlap> overlaps_of(const Bed &bed)
   return overlaps;
 }
 
-BedSolid::BedSolid(const Bed &bed_)
-    : bed(bed_), overlaps(overlaps_of(bed_)), shared(shared_ends(bed_.rods, bed_.fibres))
+BedSolid::BedSolid(const Bed &bed_, std::vector<Overlap> overlaps_)
+    : bed(bed_), overlaps(std::move(overlaps_)), shared(shared_ends(bed_.rods, bed_.fibres))
 {
   for (const SharedEnd &end : shared) balls.push_back(end.ball);
 }

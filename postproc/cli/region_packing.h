@@ -31,7 +31,8 @@ std::vector<Overlap> overlaps_of(const Bed &bed);
 
 // What is summed up as solid: the rods, less the ends that segments of fibres share.
 struct BedSolid {
-  explicit BedSolid(const Bed &bed_);
+  // Without overlaps none are taken off anywhere.
+  explicit BedSolid(const Bed &bed_, std::vector<Overlap> overlaps_ = {});
 
   const Bed &bed;
   std::vector<Overlap> overlaps;  // twice in it

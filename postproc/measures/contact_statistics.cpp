@@ -46,12 +46,16 @@ void add_wall_contacts(std::vector<std::uint32_t> &numbers, const std::vector<Wa
 // closest_points clamps to the half length itself, so that no tolerance is needed.
 bool at_end(double position, double half_length) { return std::abs(position) >= half_length; }
 
-CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs)
+CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs,
+                           const Fibres &fibres)
 {
+  const auto is_end = [&](std::uint32_t rod, double position) {
+    if (!at_end(position, rods[rod].capsule.segment.half_length)) return false;
+    return !fibres.are_there() || fibres.joints_of_rod[rod][position > 0.0] == kNoJoint;
+  };
   std::array<std::size_t, 3> counts{};  // by the number of ends
   for (const ClosePair &pair : pairs)
-    counts[at_end(pair.s, rods[pair.i].capsule.segment.half_length) +
-           at_end(pair.t, rods[pair.j].capsule.segment.half_length)]++;
+    counts[is_end(pair.i, pair.s) + is_end(pair.j, pair.t)]++;
   return {part_of(counts[0], pairs.size()), part_of(counts[1], pairs.size()),
           part_of(counts[2], pairs.size())};
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/fibres.h"
 #include "io/rods.h"
 #include "measures/close_pairs.h"
 #include "measures/mean_with_error.h"
@@ -45,7 +46,9 @@ struct CountedKinds {
   MeanWithError side_side, side_end, end_end;
 };
 
-CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs);
+// Ends that segments of fibres share are sides.
+CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<ClosePair> &pairs,
+                           const Fibres &fibres = {});
 
 // The same for rods of diameter D and cylinder length x D that know nothing of each other. The
 // volume from which the centre of one is kept by the other (Onsager, Ann. N. Y. Acad. Sci. 51

@@ -104,6 +104,14 @@ void print_table(const BedContacts &b, double strong, bool with_walls)
                rest...);
   };
   fmt::print("step {}: {} rods\n", b.step, b.rods);
+  if (b.fibres) fmt::print("  {}\n", fibre_count_line(*b.fibres));
+  if (b.of_fibres) {
+    measured("contacts a fibre", b.of_fibres->per_fibre,
+             fmt::format("({} between fibres, {} of fibres with themselves)", b.of_fibres->between,
+                         b.of_fibres->with_itself));
+    if (with_walls) measured("  with walls", b.of_fibres->with_walls, "");
+    measured("fibres touched", b.of_fibres->touched, "by a fibre");
+  }
   measured("contacts a rod", b.between_rods.per_rod,
            fmt::format("({} between rods)", b.pairs.size()));
   if (b.doubtful_pairs > 0)
@@ -136,7 +144,7 @@ class Tables {
       : several_(o.beds.several()),
         has_contacts_(!o.contacts_csv.empty()),
         bins_(o.bins),
-        summary_(o.csv, contact_summary_fields(), several_),
+        summary_csv_(o.csv),
         numbers_(path(o, "numbers"), number_fields(), several_, MissingRows::Zero),
         positions_(path(o, "positions"), position_fields(), several_),
         overlaps_(path(o, "overlaps"), over_mean_fields("overlap"), several_),
@@ -156,7 +164,9 @@ class Tables {
     const auto sizes = [](const std::optional<MeasuredForces> &forces) {
       return forces ? forces->sizes : std::vector<double>{};
     };
-    summary_.add(b);
+    if (!summary_)
+      summary_.emplace(summary_csv_, contact_summary_fields(b.fibres.has_value()), several_);
+    summary_->add(b);
     numbers_.add_all(number_rows(b));
     positions_.add_all(position_rows(b, bed.rods));
     overlaps_.add_all(over_mean_rows(b.step, b.overlaps, b.wall_overlaps, bins_));
@@ -170,9 +180,9 @@ class Tables {
   {
     if (several_) {
       fmt::print("means of the files\n");
-      summary_.print_means();
+      summary_->print_means();
     }
-    summary_.finish();
+    summary_->finish();
     numbers_.finish();
     positions_.finish();
     overlaps_.finish();
@@ -189,7 +199,8 @@ class Tables {
 
   bool several_, has_contacts_;
   std::size_t bins_;
-  ResultTable<BedContacts> summary_;
+  std::string summary_csv_;
+  std::optional<ResultTable<BedContacts>> summary_;  // once it is known whether there are fibres
   ResultTable<NumberRow> numbers_;
   ResultTable<BinRow> positions_, overlaps_, forces_;
   ResultTable<ChainRow> chains_;

@@ -22,6 +22,7 @@ namespace {
 
 const std::map<std::string, BinSpacing> kSpacings{{"solid-angle", BinSpacing::EqualSolidAngle},
                                                   {"angle", BinSpacing::EqualAngle}};
+const std::map<std::string, AxisOf> kAxes{{"segment", AxisOf::Segment}, {"fibre", AxisOf::Fibre}};
 const std::map<std::string, NearWall> kWalls{{"nearest", NearWall::Nearest},
                                              {"side", NearWall::Side},
                                              {"floor", NearWall::Floor}};
@@ -32,7 +33,8 @@ struct Options {
   OrientationOptions measured;
   std::string spacing = "solid-angle";
   std::optional<std::string> wall;  // nearest
-  std::string csv, summary_csv, wall_csv, wall_bins_csv;
+  std::string by = "segment";
+  std::string csv, summary_csv, wall_csv, wall_bins_csv, fibre_csv;
 };
 
 // A line of the table: measured, its error, what isotropic axes give, a note.
@@ -70,10 +72,27 @@ void print_order(const BedOrientation &b)
                fmt::format("{} pairs", b.near_pairs));
 }
 
+void print_fibres(const FibreShapes &s)
+{
+  const auto measured = [](const char *name, const MeanWithError &value, const std::string &unit) {
+    fmt::print("  {:<22} {:8.4g} {:>7}   {}\n", name, value.mean,
+               std::isnan(value.error) ? "-" : fmt::format("{:.2g}", value.error), unit);
+  };
+  fmt::print("  {}\n", fibre_count_line(s));
+  if (s.fibres == 0) return;
+  measured("contour length", s.contour, "m");
+  if (!std::isnan(s.stretch.mean)) measured("end to end / contour", s.stretch, "");
+  if (std::isnan(s.curvature.mean)) return;
+  measured("mean curvature", s.curvature, "1/m");
+  measured("persistence length", {s.persistence, none}, "m");
+}
+
 void print_table(const BedOrientation &b, const Options &options)
 {
   const double half_contacts = options.measured.half_contacts;
-  fmt::print("step {}: {} rods\n", b.step, b.order.rods);
+  fmt::print("step {}: {} {}\n", b.step, b.order.rods,
+             options.measured.by == AxisOf::Fibre ? "fibres from end to end" : "rods");
+  if (b.fibres) print_fibres(*b.fibres);
   print_order(b);
   print_line("V_f by random contacts", b.order.random_contact, b.random_contact_isotropic, 4,
              std::isnan(b.random_contact_isotropic)
@@ -122,15 +141,26 @@ void run(Options &options)
   options.measured.vessel = options.vessel.vessel();
   options.measured.spacing = kSpacings.at(options.spacing);
   options.measured.wall = kWalls.at(options.wall.value_or("nearest"));
+  options.measured.by = kAxes.at(options.by);
   need_vessel_for_walls(options);
   ResultTable<ElevationRow> bins(options.csv, elevation_fields(), several);
-  ResultTable<BedOrientation> summary(options.summary_csv, orientation_fields(), several);
+  std::optional<ResultTable<BedOrientation>> summary;  // once it is known whether there are fibres
+  ResultTable<CorrelationRow> correlation(options.fibre_csv, correlation_fields(), several);
   ResultTable<WallRow> wall(options.wall_csv, wall_fields(), several);
   ResultTable<ElevationRow> wall_bins(options.wall_bins_csv, wall_elevation_fields(), several);
   for_each_bed(options.beds, [&](const Bed &bed) {
     const BedOrientation found = measure_orientation(bed, options.measured);
     bins.add_all(elevation_rows(found));
-    summary.add(found);
+    if (!summary)
+      summary.emplace(options.summary_csv, orientation_fields(found.fibres.has_value()), several);
+    summary->add(found);
+    if (!options.fibre_csv.empty()) {
+      if (!found.fibres)
+        throw InputError(
+            fmt::format("--fibre-csv: wanted of a dump with columns of fibre and place, which {} lacks",
+                        bed.frame.path));
+      correlation.add_all(correlation_rows(found));
+    }
     wall.add_all(wall_rows(found));
     wall_bins.add_all(wall_elevation_rows(found));
     if (several) fmt::print("{}: ", bed.frame.path);
@@ -138,10 +168,11 @@ void run(Options &options)
   });
   if (several) {
     fmt::print("means of the files\n");
-    summary.print_means();
+    summary->print_means();
   }
   bins.finish();
-  summary.finish();
+  summary->finish();
+  correlation.finish();
   wall.finish();
   wall_bins.finish();
 }
@@ -179,6 +210,12 @@ int main(int argc, char **argv)
                  "contacts counted on each rod by the random contact equation")
       ->check(number_between(0.1, 100.0))
       ->capture_default_str();
+  app.add_option("--by", options.by,
+                 "axes of fibres: of each 'segment', or of the 'fibre' from end to end")
+      ->check(CLI::IsMember(kAxes))
+      ->capture_default_str();
+  app.add_option("--fibre-csv", options.fibre_csv,
+                 "write how segments' axes are correlated along fibres to this CSV file");
   app.add_option("--csv", options.csv, "write the bins to this CSV file");
   app.add_option("--summary-csv", options.summary_csv, "write the means to this CSV file");
   app.add_option("--wall-csv", options.wall_csv,
