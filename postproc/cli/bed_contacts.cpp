@@ -33,8 +33,8 @@ void count_once(const Bed &bed, BedContacts &found)
   leave_out_doubles(bed.fibres, found.walls);
   found.doubles = before - found.pairs.size() - found.walls.size();
   found.fibres = fibre_shapes(bed.rods, bed.fibres);
-  found.of_fibres = fibre_contacts(bodies_of_rods(bed.fibres), bed.stretched.size(), found.pairs,
-                                   found.walls);
+  found.of_fibres =
+      fibre_contacts(bodies_of_rods(bed.fibres), bed.stretched.size(), found.pairs, found.walls);
 }
 
 void count_contacts(BedContacts &found)
@@ -58,8 +58,8 @@ void compare_with_uncorrelated(const Bed &bed, BedContacts &found)
     return rod.capsule.aspect_ratio() - 1.0;
   };
   found.sin_gamma_of_all = mean_sin_gamma(axes);
-  found.uncorrelated = uncorrelated_contact_kinds(mean_of(bed.bodies(), cylinder_over_diameter).mean,
-                                                  found.sin_gamma_of_all);
+  found.uncorrelated = uncorrelated_contact_kinds(
+      mean_of(bed.bodies(), cylinder_over_diameter).mean, found.sin_gamma_of_all);
 }
 
 MeasuredForces measured(std::vector<ContactForce> contacts)

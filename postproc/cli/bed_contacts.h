@@ -35,7 +35,7 @@ struct BedContacts {
   std::int64_t step;
   std::size_t rods;
   std::vector<ClosePair> pairs;  // without the joints of fibres, and those that count twice
-  std::size_t doubtful_pairs;  // of which the dump's digits do not tell, see place_roundings
+  std::size_t doubtful_pairs;    // of which the dump's digits do not tell, see place_roundings
   std::vector<WallContact> walls;
   std::optional<FibreShapes> fibres;
   std::optional<FibreContacts> of_fibres;

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/region_packing.h"
 #include "core/numbers.h"
 #include "io/input_error.h"
-#include "cli/region_packing.h"
 #include "measures/close_pairs.h"
 #include "solid/capsule_measures.h"
 
@@ -68,8 +68,8 @@ Order order_of(const std::vector<Rod> &rods, const OrientationOptions &options,
   order.radial =
       has_side(vessel) ? radial_order(rods, vessel->x, vessel->y) : MeanWithError{none, none};
   order.sin_gamma = sin_gamma_of_pairs(axes, most_axes);
-  order.random_contact = random_contact(lambda ? *lambda : mean_lambda(rods), order.sin_gamma,
-                                        options.half_contacts);
+  order.random_contact =
+      random_contact(lambda ? *lambda : mean_lambda(rods), order.sin_gamma, options.half_contacts);
   return order;
 }
 
@@ -87,8 +87,7 @@ double wall_distance(const Rod &rod, const Vessel &vessel, NearWall wall)
 }
 
 std::vector<WallBin> by_wall(const std::vector<Rod> &rods, double width,
-                             const OrientationOptions &options,
-                             const std::optional<double> &lambda)
+                             const OrientationOptions &options, const std::optional<double> &lambda)
 {
   std::vector<std::vector<Rod>> rods_of_bin;
   for (const Rod &rod : rods) {
@@ -145,7 +144,8 @@ void measure_near_pairs(const Bed &bed, const std::vector<Rod> &rods,
       continue;
     }
     const Rod &a = bed.stretched[body[pair.i]], &b = bed.stretched[body[pair.j]];
-    if (body[pair.i] == body[pair.j] || !has_axis(bed, body[pair.i]) || !has_axis(bed, body[pair.j]))
+    if (body[pair.i] == body[pair.j] || !has_axis(bed, body[pair.i]) ||
+        !has_axis(bed, body[pair.j]))
       continue;
     if (bodies.insert(std::minmax(body[pair.i], body[pair.j])).second)
       sines.push_back(norm(cross(a.capsule.segment.axis, b.capsule.segment.axis)));
@@ -229,13 +229,15 @@ void add_fibre_fields(Fields<BedOrientation> &fields)
   fields.add("segments", kSum, of_shapes([](const S &s) { return s.segments; }));
   fields.add("rings", kSum, of_shapes([](const S &s) { return s.rings; }));
   fields.add("parts_of_fibres", kSum, of_shapes([](const S &s) { return s.parts; }));
-  fields.add_mean("segments_per_fibre", mean_of_shapes([](const S &s) { return s.segments_a_fibre; }));
+  fields.add_mean("segments_per_fibre",
+                  mean_of_shapes([](const S &s) { return s.segments_a_fibre; }));
   fields.add_mean("contour_length", mean_of_shapes([](const S &s) { return s.contour; }), "_m");
   fields.add_mean("end_to_end_over_contour", mean_of_shapes([](const S &s) { return s.stretch; }));
   fields.add_mean("mean_curvature", mean_of_shapes([](const S &s) { return s.curvature; }),
                   "_per_m");
-  fields.add_mean("persistence_length",
-                  mean_of_shapes([](const S &s) { return MeanWithError{s.persistence, none}; }),
+  fields.add_mean("persistence_length", mean_of_shapes([](const S &s) {
+                    return MeanWithError{s.persistence, none};
+                  }),
                   "_m");
 }
 
@@ -264,9 +266,9 @@ BedOrientation measure_orientation(const Bed &bed, OrientationOptions &options)
         bed.frame.path));
   const std::vector<Rod> rods = by_fibre ? bodies_with_axis(bed) : without_spheres(bed.rods);
   if (rods.empty())
-    throw InputError(fmt::format("{}: step {} holds no {} longer than a sphere, wanted at least one",
-                                 bed.frame.path, bed.frame.step,
-                                 by_fibre ? "open fibres or rods" : "rods"));
+    throw InputError(
+        fmt::format("{}: step {} holds no {} longer than a sphere, wanted at least one",
+                    bed.frame.path, bed.frame.step, by_fibre ? "open fibres or rods" : "rods"));
   std::optional<double> lambda;  // of whole fibres
   if (bed.fibres.are_there()) lambda = mean_lambda(without_spheres(bed.stretched));
   if (options.vessel) need_rods_inside(bed, *options.vessel);

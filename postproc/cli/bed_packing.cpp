@@ -178,11 +178,11 @@ class Container {
     const double space = volume(region);
     if (has_wall()) {
       const BoundedVolume found = solid_within(solid, region, tolerance_);
-      return {region.radius, region.z_low,        region.z_high, space, found.value / space,
-              found.error / space, none};
+      return {region.radius,       region.z_low,        region.z_high, space,
+              found.value / space, found.error / space, none};
     }
-    const auto layer = height_bins(bed_.rods, solid.shared, 1.0, 0.0,
-                                   {region.z_low, region.z_high})[0];
+    const auto layer =
+        height_bins(bed_.rods, solid.shared, 1.0, 0.0, {region.z_low, region.z_high})[0];
     return {none, region.z_low, region.z_high, space, layer.solid / space, layer.error / space,
             none};
   }
@@ -324,9 +324,8 @@ BedPacking measure_packing(const Bed &bed, const PackingOptions &options)
   p.whole = p.clipped = p.inner = p.bulk = p.region = nowhere;
   if (options.region) {
     if (bed.frame.box_is_tilted) periodicity_of(bed.frame);  // refused if it is periodic too
-    p.region = options.mesh
-                   ? pack_part(solid, *options.mesh, *options.region, options.tolerance)
-                   : pack_box(solid, *options.region, options.tolerance);
+    p.region = options.mesh ? pack_part(solid, *options.mesh, *options.region, options.tolerance)
+                            : pack_box(solid, *options.region, options.tolerance);
     if (!options.holds_bed(bed.frame)) return p;
   }
   if (options.box) {
@@ -463,8 +462,7 @@ PackingProfiles measure_profiles(const Bed &bed, const PackingOptions &options, 
   PackingProfiles profiles;
   if (container.is_closed()) {
     const std::vector<double> edges = bin_edges(0.0, whole.z_high - whole.z_low, width);
-    profiles.height =
-        height_profile(with_images(bed.rods, bed.frame), section, whole.z_low, edges);
+    profiles.height = height_profile(with_images(bed.rods, bed.frame), section, whole.z_low, edges);
     if (!shared.empty()) {
       const std::vector<SharedEnd> images = with_images(shared, bed.frame);
       take_off(height_profile(balls_of(images), section, whole.z_low, edges), profiles.height);

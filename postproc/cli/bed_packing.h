@@ -50,9 +50,9 @@ struct BedPacking {
   std::int64_t step;
   std::size_t rods, spheres;
   std::optional<FibreShapes> fibres;  // that rods are segments of
-  AspectRatios lambda;  // of whole fibres
-  bool has_axes;              // not all are spheres, or rings
-  double mean_elevation_deg;  // NaN without any, as mean_sin_gamma
+  AspectRatios lambda;                // of whole fibres
+  bool has_axes;                      // not all are spheres, or rings
+  double mean_elevation_deg;          // NaN without any, as mean_sin_gamma
   double mean_sin_gamma;
   BedHeight height;
   double rods_volume;     // m^3, overlaps counted twice, ends that segments share once

@@ -76,8 +76,7 @@ void for_each_bed(const BedFiles &options, const std::function<void(const Bed &)
             fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
       any = true;
       bed.fibres = fibres_of(frame, bed.rods, options.fibres);
-      if (bed.fibres.are_there())
-        bed.stretched = fibre_bodies(bed.rods, bed.fibres, Rings::Kept);
+      if (bed.fibres.are_there()) bed.stretched = fibre_bodies(bed.rods, bed.fibres, Rings::Kept);
       if (options.several()) {
         const KindOfRods kind(bed.bodies());
         if (!first) first = kind;
@@ -141,8 +140,8 @@ BedHeight height_of(const Bed &bed)
 
 std::string fibre_count_line(const FibreShapes &shapes)
 {
-  std::string line = fmt::format("{:<22} {:8}       of {} segments", "fibres", shapes.fibres,
-                                 shapes.segments);
+  std::string line =
+      fmt::format("{:<22} {:8}       of {} segments", "fibres", shapes.fibres, shapes.segments);
   if (shapes.rings > 0) line += fmt::format(", {} rings", shapes.rings);
   if (shapes.parts > 0) line += fmt::format(", {} are parts of fibres that are cut", shapes.parts);
   return line;
@@ -166,9 +165,8 @@ bool has_axis(const Bed &bed, std::uint32_t body)
 std::vector<Rod> bodies_with_axis(const Bed &bed)
 {
   std::vector<Rod> found;
-  for (const Rod &body : bed.fibres.are_there()
-                             ? fibre_bodies(bed.rods, bed.fibres, Rings::LeftOut)
-                             : bed.rods)
+  for (const Rod &body :
+       bed.fibres.are_there() ? fibre_bodies(bed.rods, bed.fibres, Rings::LeftOut) : bed.rods)
     if (!body.is_sphere()) found.push_back(body);
   return found;
 }

@@ -55,9 +55,10 @@ void add_input_options(CLI::App &app, InputOptions &options)
 
 void add_fibre_options(CLI::App &app, FibreOptions &options)
 {
-  app.add_option("--fibre-columns", options.columns,
-                 "FIBRE PLACE: columns of the dump that tell a rod's fibre and its place in the chain, "
-                 "default f_fibres[1] f_fibres[2] if they are there")
+  app.add_option(
+         "--fibre-columns", options.columns,
+         "FIBRE PLACE: columns of the dump that tell a rod's fibre and its place in the chain, "
+         "default f_fibres[1] f_fibres[2] if they are there")
       ->expected(2);
   app.add_option("--meet", options.meet,
                  "diameters that the ends of segments may be apart where they are joined")

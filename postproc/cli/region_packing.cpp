@@ -179,8 +179,7 @@ RegionPacking pack_mesh(const BedSolid &solid, const ClosedMesh &mesh, double to
     const Vec3 place = image_from(bounds, overlap.place, frame);
     if (holds_place(bounds, place) && mesh.distance(place) <= 0.0) twice += overlap.volume.value;
   }
-  BoundedVolume found =
-      solid_within(rods_reaching(frame, solid.bed.rods, bounds), mesh, tolerance);
+  BoundedVolume found = solid_within(rods_reaching(frame, solid.bed.rods, bounds), mesh, tolerance);
   if (!solid.shared.empty()) {
     take_off(solid_within(rods_reaching(frame, solid.balls, bounds), mesh, tolerance), found);
     take_off_beyond(

@@ -123,8 +123,10 @@ class Chains {
     start(places[0]);
     for (std::size_t k = 1; k < places.size(); k++) {
       const Place &before = places[k - 1], &next = places[k];
-      if (next.place != before.place + 1 || !join(before.rod, next.rod)) start(next);
-      else append(next);
+      if (next.place != before.place + 1 || !join(before.rod, next.rod))
+        start(next);
+      else
+        append(next);
     }
     const std::size_t parts = found_.all.size() - first;
     const bool closes = places[0].place == 1 && places.size() >= kFewestInARing &&
@@ -133,7 +135,8 @@ class Chains {
     // A ring that is cut somewhere: its last part goes on with its first.
     if (closes && parts > 1) put_last_before_first(first);
     if (found_.all.size() - first > 1) found_.parts += found_.all.size() - first;
-    for (std::size_t f = first; f < found_.all.size(); f++) set_shifts(static_cast<std::uint32_t>(f));
+    for (std::size_t f = first; f < found_.all.size(); f++)
+      set_shifts(static_cast<std::uint32_t>(f));
   }
 
   void start(const Place &place) { found_.all.push_back({place.fibre, {place.rod}, {}}); }
@@ -215,6 +218,43 @@ Fibres fibres_of(const DumpFrame &frame, const std::vector<Rod> &rods, const Fib
   const FibreColumns columns(frame, rods, options);
   if (!columns.are_there()) return {};
   return Chains(frame, rods, columns, options.meet).find(columns.places());
+}
+
+Fibres fibres_among(const Fibres &fibres, const std::vector<std::size_t> &kept)
+{
+  if (!fibres.are_there()) return {};
+  std::vector<std::uint32_t> place(fibres.of_rod.size(), kNoFibre);
+  for (std::size_t k = 0; k < kept.size(); k++) place[kept[k]] = static_cast<std::uint32_t>(k);
+  Fibres found;
+  found.of_rod.assign(kept.size(), kNoFibre);
+  found.place_of_rod.assign(kept.size(), 0);
+  found.joints_of_rod.assign(kept.size(), {kNoJoint, kNoJoint});
+  for (const FibreJoint &joint : fibres.joints) {
+    const std::uint32_t i = place[joint.i], j = place[joint.j];
+    if (i == kNoFibre || j == kNoFibre) continue;
+    found.joints_of_rod[i][1] = found.joints_of_rod[j][0] =
+        static_cast<std::int32_t>(found.joints.size());
+    found.joints.push_back({i, j, joint.place, joint.shift});
+  }
+  for (const Fibre &fibre : fibres.all) {
+    bool goes_on = false;
+    for (std::size_t k = 0; k < fibre.segments.size(); k++) {
+      const std::uint32_t rod = place[fibre.segments[k]];
+      if (rod == kNoFibre) {
+        goes_on = false;
+        continue;
+      }
+      if (!goes_on) found.all.push_back({fibre.id, {}, {}});
+      goes_on = true;
+      found.of_rod[rod] = static_cast<std::uint32_t>(found.all.size()) - 1;
+      found.place_of_rod[rod] = fibres.place_of_rod[fibre.segments[k]];
+      found.all.back().segments.push_back(rod);
+      found.all.back().shifts.push_back(fibre.shifts[k]);
+    }
+    if (goes_on && found.all.back().segments.size() == fibre.segments.size())
+      found.all.back().is_ring = fibre.is_ring;
+  }
+  return found;
 }
 
 void need_no_fibres(const DumpFrame &frame, const std::vector<Rod> &rods,

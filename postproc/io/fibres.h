@@ -20,8 +20,9 @@ namespace spherocylinder {
 constexpr double kMeetDefault = 0.1;
 
 struct FibreOptions {
-  std::vector<std::string> columns;  // of fibre and place; none: those of fix joint, if they are there
-  double meet = kMeetDefault;        // diameters that ends which are joined may be apart
+  std::vector<std::string>
+      columns;                 // of fibre and place; none: those of fix joint, if they are there
+  double meet = kMeetDefault;  // diameters that ends which are joined may be apart
 };
 
 // The head of i, its end along the axis, and the tail of j.
@@ -44,10 +45,10 @@ constexpr std::int32_t kNoJoint = -1;
 struct Fibres {
   std::vector<Fibre> all;
   std::vector<FibreJoint> joints;
-  std::vector<std::uint32_t> of_rod;         // kNoFibre: a rod of its own; empty without columns
-  std::vector<std::uint32_t> place_of_rod;   // in the chain, from 0
+  std::vector<std::uint32_t> of_rod;        // kNoFibre: a rod of its own; empty without columns
+  std::vector<std::uint32_t> place_of_rod;  // in the chain, from 0
   std::vector<std::array<std::int32_t, 2>> joints_of_rod;  // at tail and head, or kNoJoint
-  std::size_t parts = 0;                     // of all, those that share their id with another
+  std::size_t parts = 0;  // of all, those that share their id with another
 
   bool are_there() const { return !of_rod.empty(); }
 
@@ -61,6 +62,9 @@ struct Fibres {
 // column without the other, ids and places that are no whole numbers, two rods at one place,
 // segments of unlike radii and a tilted box that is periodic.
 Fibres fibres_of(const DumpFrame &frame, const std::vector<Rod> &rods, const FibreOptions &options);
+
+// Those of some of the rods, by the places of these in `kept`, cut where segments are left out.
+Fibres fibres_among(const Fibres &fibres, const std::vector<std::size_t> &kept);
 
 // For programs that know rods only. Throws InputError, headed by the file's name, if the frame has
 // rods in fibres.

@@ -54,8 +54,7 @@ CountedKinds contact_kinds(const std::vector<Rod> &rods, const std::vector<Close
     return !fibres.are_there() || fibres.joints_of_rod[rod][position > 0.0] == kNoJoint;
   };
   std::array<std::size_t, 3> counts{};  // by the number of ends
-  for (const ClosePair &pair : pairs)
-    counts[is_end(pair.i, pair.s) + is_end(pair.j, pair.t)]++;
+  for (const ClosePair &pair : pairs) counts[is_end(pair.i, pair.s) + is_end(pair.j, pair.t)]++;
   return {part_of(counts[0], pairs.size()), part_of(counts[1], pairs.size()),
           part_of(counts[2], pairs.size())};
 }

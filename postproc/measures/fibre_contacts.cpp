@@ -15,8 +15,7 @@ class Doubles {
   Doubles(const std::vector<Rod> &rods, const Fibres &fibres, const std::vector<ClosePair> &pairs)
       : rods_(rods), fibres_(fibres), pairs_(pairs)
   {
-    for (std::size_t k = 0; k < pairs.size(); k++)
-      of_rods_.emplace(key(pairs[k].i, pairs[k].j), k);
+    for (std::size_t k = 0; k < pairs.size(); k++) of_rods_.emplace(key(pairs[k].i, pairs[k].j), k);
   }
 
   bool is_one(std::size_t pair) const
@@ -36,8 +35,7 @@ class Doubles {
   // 0 tail, 1 head; a sphere's ends are one.
   int end_of(std::uint32_t rod, double position) const
   {
-    if (rods_[rod].is_sphere() ||
-        !at_end(position, rods_[rod].capsule.segment.half_length))
+    if (rods_[rod].is_sphere() || !at_end(position, rods_[rod].capsule.segment.half_length))
       return kNoEnd;
     return position > 0.0 ? 1 : 0;
   }
@@ -69,10 +67,9 @@ class Doubles {
 void leave_out_joints(const std::vector<Rod> &rods, const Fibres &fibres,
                       std::vector<ClosePair> &pairs)
 {
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                             [&](const ClosePair &pair) {
-                               return fibres.never_touch(pair.i, pair.j, rods);
-                             }),
+  pairs.erase(std::remove_if(
+                  pairs.begin(), pairs.end(),
+                  [&](const ClosePair &pair) { return fibres.never_touch(pair.i, pair.j, rods); }),
               pairs.end());
 }
 

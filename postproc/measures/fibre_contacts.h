@@ -28,8 +28,8 @@ void leave_out_doubles(const std::vector<Rod> &rods, const Fibres &fibres,
 void leave_out_doubles(const Fibres &fibres, std::vector<WallContact> &walls);
 
 struct FibreContacts {
-  std::size_t between;     // contacts of two fibres; rods of their own are fibres too
-  std::size_t with_itself;  // of two segments of one fibre
+  std::size_t between;                  // contacts of two fibres; rods of their own are fibres too
+  std::size_t with_itself;              // of two segments of one fibre
   MeanWithError per_fibre, with_walls;  // contacts of a fibre with others, and at walls too
   MeanWithError touched;                // other fibres that a fibre touches
 };

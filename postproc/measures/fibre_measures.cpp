@@ -69,7 +69,8 @@ CosineSums cosine_sums(const Fibre &fibre, const std::vector<Rod> &rods)
 std::vector<TangentCorrelation> correlation_of(const std::vector<Rod> &rods, const Fibres &fibres)
 {
   std::size_t longest = 0;
-  for (const Fibre &fibre : fibres.all) longest = std::max(longest, std::min(fibre.segments.size(), kMostPlaces));
+  for (const Fibre &fibre : fibres.all)
+    longest = std::max(longest, std::min(fibre.segments.size(), kMostPlaces));
   std::vector<std::vector<double>> means(longest);
   std::vector<TangentCorrelation> found(longest);
   for (const Fibre &fibre : fibres.all) {
@@ -92,8 +93,8 @@ double persistence_of(const std::vector<Rod> &rods, const Fibres &fibres)
 {
   if (fibres.joints.empty()) return none;
   const MeanWithError cosine = mean_of(fibres.joints, [&](const FibreJoint &joint) {
-    return std::cos(bend_angle(rods[joint.i].capsule.segment.axis,
-                               rods[joint.j].capsule.segment.axis));
+    return std::cos(
+        bend_angle(rods[joint.i].capsule.segment.axis, rods[joint.j].capsule.segment.axis));
   });
   const MeanWithError length =
       mean_of(fibres.joints, [&](const FibreJoint &joint) { return distance_of(joint, rods); });
@@ -117,6 +118,22 @@ double contour_length(const Fibre &fibre, const std::vector<Rod> &rods)
   double length = 0.0;
   for (const std::uint32_t rod : fibre.segments) length += cylinder_length(rods[rod]);
   return length;
+}
+
+std::vector<double> fibre_ids(const Fibres &fibres)
+{
+  std::vector<double> ids;
+  for (const std::uint32_t fibre : fibres.of_rod)
+    ids.push_back(fibre == kNoFibre ? 0.0 : static_cast<double>(fibres.all[fibre].id));
+  return ids;
+}
+
+std::vector<double> fibre_places(const Fibres &fibres)
+{
+  std::vector<double> places;
+  for (std::size_t i = 0; i < fibres.of_rod.size(); i++)
+    places.push_back(fibres.of_rod[i] == kNoFibre ? 0.0 : fibres.place_of_rod[i] + 1.0);
+  return places;
 }
 
 std::vector<Rod> fibre_bodies(const std::vector<Rod> &rods, const Fibres &fibres, Rings rings)
@@ -188,9 +205,8 @@ FibreShapes fibre_shapes(const std::vector<Rod> &rods, const Fibres &fibres)
       }
     if (joints > 0) curvatures.push_back(sum / static_cast<double>(joints));
   }
-  shapes.segments_a_fibre = mean_of(fibres.all, [](const Fibre &fibre) {
-    return static_cast<double>(fibre.segments.size());
-  });
+  shapes.segments_a_fibre = mean_of(
+      fibres.all, [](const Fibre &fibre) { return static_cast<double>(fibre.segments.size()); });
   shapes.contour =
       mean_of(fibres.all, [&](const Fibre &fibre) { return contour_length(fibre, rods); });
   shapes.stretch = mean_of(stretches);
@@ -214,9 +230,11 @@ std::vector<SharedEnd> shared_ends(const std::vector<Rod> &rods, const Fibres &f
       BoundedVolume beyond = shared_end_volume(a, b);
       beyond.value -= volume(ball.capsule);
       const double half_cosine = std::cos(0.5 * bend_angle(a.segment.axis, b.segment.axis));
-      const double furthest = 2.0 * std::min(a.segment.half_length, b.segment.half_length) + a.radius;
-      ends[k] = {ball, beyond, std::min(a.radius / std::max(half_cosine, 1e-3), furthest) +
-                                   norm(tail_of(b.segment) - joint.place)};
+      const double furthest =
+          2.0 * std::min(a.segment.half_length, b.segment.half_length) + a.radius;
+      ends[k] = {ball, beyond,
+                 std::min(a.radius / std::max(half_cosine, 1e-3), furthest) +
+                     norm(tail_of(b.segment) - joint.place)};
     }
   });
   return ends;

@@ -18,6 +18,10 @@ Vec3 end_to_end(const Fibre &fibre, const std::vector<Rod> &rods);
 // The same along the segments; of a ring all the way round (m).
 double contour_length(const Fibre &fibre, const std::vector<Rod> &rods);
 
+// Of each rod: its fibre's id and its place in the chain from 1, 0 for a rod of its own.
+std::vector<double> fibre_ids(const Fibres &fibres);
+std::vector<double> fibre_places(const Fibres &fibres);
+
 enum class Rings { Kept, LeftOut };
 
 // Each fibre as the straight rod of its length and radius, along its end-to-end vector, about the
@@ -43,8 +47,8 @@ struct TangentCorrelation {
 struct FibreShapes {
   std::size_t fibres, rings, parts, segments;
   MeanWithError segments_a_fibre, contour;  // m
-  MeanWithError stretch;    // end-to-end over contour length; rings left out
-  MeanWithError curvature;  // mean over a fibre's joints (1/m)
+  MeanWithError stretch;                    // end-to-end over contour length; rings left out
+  MeanWithError curvature;                  // mean over a fibre's joints (1/m)
   // -h/ln <cos> over joints, h their mean distance; infinite for straight ones, NaN for a mean
   // cosine <= 0 (m).
   double persistence;

@@ -8,6 +8,7 @@
 
 #include "core/numbers.h"
 #include "io/input_error.h"
+#include "measures/fibre_measures.h"
 #include "solid/capsule_measures.h"
 
 namespace spherocylinder {
@@ -54,7 +55,7 @@ std::vector<double> magnitudes(const DumpFrame &frame, const char *x, const char
 }
 
 RodQuantity rod_quantity(const DumpFrame &frame, const std::vector<Rod> &rods,
-                         const std::string &name)
+                         const std::string &name, const Fibres &fibres)
 {
   RodQuantity quantity{name, {}, 0.0, 0.0};
   if (name == "elevation") {
@@ -70,6 +71,14 @@ RodQuantity rod_quantity(const DumpFrame &frame, const std::vector<Rod> &rods,
   } else if (name == "spin") {
     quantity.title = "angular velocity (rad/s)";
     quantity.values = need_magnitudes(frame, "omegax", "omegay", "omegaz");
+  } else if (fibres.are_there() && name == "fibre") {
+    quantity.values = fibre_ids(fibres);
+  } else if (fibres.are_there() && name == "place") {
+    quantity.title = "place in the fibre";
+    quantity.values = fibre_places(fibres);
+  } else if (fibres.are_there() && name == "curvature") {
+    quantity.title = "curvature (1/m)";
+    quantity.values = rod_curvatures(rods, fibres);
   } else {
     quantity.values = column_values(frame, name);
   }

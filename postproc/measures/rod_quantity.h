@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/dump_frame.h"
+#include "io/fibres.h"
 #include "io/rods.h"
 
 namespace spherocylinder {
@@ -17,10 +18,10 @@ struct RodQuantity {
 };
 
 // `name` is elevation, speed (of the centre), spin (|omega|), id, contacts (the column of that
-// name, or c_contacts, f_contacts ...) or any column of the dump. Throws InputError if the dump
-// lacks the column.
+// name, or c_contacts, f_contacts ...) or any column of the dump; of fibres also fibre (its id),
+// place (in the chain, from 1) and curvature. Throws InputError if the dump lacks the column.
 RodQuantity rod_quantity(const DumpFrame &frame, const std::vector<Rod> &rods,
-                         const std::string &name);
+                         const std::string &name, const Fibres &fibres = {});
 
 // Sets the range to the values' own but for the lowest and the highest tenth of them.
 void set_range_of_most(RodQuantity &quantity);

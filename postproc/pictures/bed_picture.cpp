@@ -66,15 +66,25 @@ vtkSmartPointer<vtkActor> add_surface(vtkRenderer *renderer, vtkPolyData *mesh)
   return actor;
 }
 
-void add_rods(vtkRenderer *renderer, const std::vector<Rod> &rods, const RodQuantity &colour,
-              vtkLookupTable *colours, int resolution)
+// Of a point, those of two segments of a fibre blended.
+double value_at(const RodGeometry &geometry, std::size_t point, const std::vector<double> &values,
+                bool blend)
 {
-  const RodGeometry geometry = rod_surfaces(rods, resolution);
+  const double own = values[geometry.rod_of_point[point]];
+  if (!blend || geometry.neighbour_of_point.empty()) return own;
+  const double part = geometry.part_of_neighbour[point];
+  return own + part * (values[geometry.neighbour_of_point[point]] - own);
+}
+
+void add_rods(vtkRenderer *renderer, const std::vector<Rod> &rods, const Fibres &fibres,
+              const RodQuantity &colour, vtkLookupTable *colours, const PictureOptions &options)
+{
+  const RodGeometry geometry = rod_surfaces(rods, fibres, options.resolution);
   vtkNew<vtkFloatArray> numbers;
   numbers->SetNumberOfValues(static_cast<vtkIdType>(geometry.rod_of_point.size()));
   for (std::size_t i = 0; i < geometry.rod_of_point.size(); i++)
     numbers->SetValue(static_cast<vtkIdType>(i),
-                      static_cast<float>(colour.values[geometry.rod_of_point[i]]));
+                      static_cast<float>(value_at(geometry, i, colour.values, options.blend)));
   geometry.mesh->GetPointData()->SetScalars(numbers);
 
   const auto actor = add_surface(renderer, geometry.mesh);
@@ -265,7 +275,7 @@ std::array<Vec3, 8> corners_of(const Box &box)
   return corners;
 }
 
-void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
+void write_bed_picture(const std::string &path, const std::vector<Rod> &rods, const Fibres &fibres,
                        const RodQuantity &colour, const PictureOptions &options)
 {
   const RoundRange range = round_range(colour.low, colour.high);
@@ -279,7 +289,7 @@ void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
   const VtkErrors errors;
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(options.background[0], options.background[1], options.background[2]);
-  add_rods(renderer, rods, colour, colours, options.resolution);
+  add_rods(renderer, rods, fibres, colour, colours, options);
   if (options.vessel) add_vessel(renderer, *options.vessel, frame, ink);
   if (options.box) add_box(renderer, *options.box, ink);
   for (const DrawnMesh &mesh : options.meshes) add_mesh(renderer, mesh, frame, ink);

@@ -48,6 +48,7 @@ struct PictureOptions {
   int font_size = 0;  // pixels; 0: as large as fits
   bool colour_bar = true;
   int resolution = 16;  // corners around a rod
+  bool blend = true;    // colours of a fibre's segments into each other
 };
 
 // The corners of the box.
@@ -57,7 +58,7 @@ std::array<Vec3, 8> corners_of(const Box &box);
 // cut off the vessel's wall and those of meshes. There may be no rods if the picture is aimed at something else. Writes
 // a PNG. Throws InputError if the letters leave no room, if the graphics driver cannot draw so
 // large a picture, or if the file cannot be written.
-void write_bed_picture(const std::string &path, const std::vector<Rod> &rods,
+void write_bed_picture(const std::string &path, const std::vector<Rod> &rods, const Fibres &fibres,
                        const RodQuantity &colour, const PictureOptions &options);
 
 }  // namespace spherocylinder

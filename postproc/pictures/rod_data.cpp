@@ -12,6 +12,7 @@
 #include <vtkTypeInt64Array.h>
 
 #include "core/numbers.h"
+#include "measures/fibre_measures.h"
 #include "measures/rod_quantity.h"
 #include "solid/capsule_measures.h"
 
@@ -63,7 +64,7 @@ std::vector<std::size_t> other_columns(const DumpFrame &frame, const std::vector
 }
 
 void attach_rod_data(const RodGeometry &geometry, const DumpFrame &frame,
-                     const std::vector<Rod> &rods)
+                     const std::vector<Rod> &rods, const Fibres &fibres)
 {
   vtkCellData *cells = geometry.mesh->GetCellData();
   const auto &rod_of = geometry.rod_of_cell;
@@ -83,6 +84,13 @@ void attach_rod_data(const RodGeometry &geometry, const DumpFrame &frame,
   if (!speed.empty()) add("speed", [&](vtkIdType i) { return speed[i]; });
   if (!omega.empty()) add("omega", [&](vtkIdType i) { return omega[i]; });
 
+  if (fibres.are_there()) {
+    const std::vector<double> ids = fibre_ids(fibres), places = fibre_places(fibres);
+    const std::vector<double> curvatures = rod_curvatures(rods, fibres);
+    add_numbers<vtkTypeInt64Array>(cells, rod_of, "fibre", [&](vtkIdType i) { return ids[i]; });
+    add_numbers<vtkTypeInt64Array>(cells, rod_of, "place", [&](vtkIdType i) { return places[i]; });
+    add("curvature", [&](vtkIdType i) { return curvatures[i]; });
+  }
   for (const std::size_t column : other_columns(frame)) {
     const std::string &name = frame.columns[column];
     if (!cells->HasArray(name.c_str()))

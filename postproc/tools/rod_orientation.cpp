@@ -156,9 +156,9 @@ void run(Options &options)
     summary->add(found);
     if (!options.fibre_csv.empty()) {
       if (!found.fibres)
-        throw InputError(
-            fmt::format("--fibre-csv: wanted of a dump with columns of fibre and place, which {} lacks",
-                        bed.frame.path));
+        throw InputError(fmt::format(
+            "--fibre-csv: wanted of a dump with columns of fibre and place, which {} lacks",
+            bed.frame.path));
       correlation.add_all(correlation_rows(found));
     }
     wall.add_all(wall_rows(found));

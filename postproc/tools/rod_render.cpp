@@ -16,6 +16,7 @@
 #include "io/input_error.h"
 #include "io/output_file.h"
 #include "io/text.h"
+#include "measures/fibre_measures.h"
 #include "pictures/bed_picture.h"
 #include "pictures/display.h"
 #include "pictures/film.h"
@@ -28,6 +29,8 @@ namespace {
 
 struct Options {
   InputOptions input;
+  FibreOptions fibres;
+  bool segments = false;
   std::string out;
   std::string size = "1200x900";
   PartOptions part;
@@ -86,9 +89,11 @@ View view_of(const std::string &name)
   return name == "side" ? View::Side : name == "top" ? View::Top : View::Oblique;
 }
 
-std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std::size_t shown,
-                       const std::optional<double> &timestep)
+// Of rods and whole fibres.
+std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &all, const Fibres &fibres,
+                       std::size_t shown, const std::optional<double> &timestep)
 {
+  const std::vector<Rod> rods = fibres.are_there() ? fibre_bodies(all, fibres, Rings::Kept) : all;
   double low = rods.front().capsule.aspect_ratio(), high = low;
   for (const Rod &rod : rods) {
     low = std::min(low, rod.capsule.aspect_ratio());
@@ -97,8 +102,14 @@ std::string caption_of(const DumpFrame &frame, const std::vector<Rod> &rods, std
   const bool several = high - low > 1e-4 * high;  // wider than the rounding of a dump
   std::string caption =
       several ? fmt::format("λ = {:.3g} to {:.3g}", low, high) : fmt::format("λ = {:.4g}", high);
-  caption += shown == rods.size() ? fmt::format(",  {} rods,  ", rods.size())
-                                  : fmt::format(",  {} of {} rods,  ", shown, rods.size());
+  std::string kind = "rods";
+  if (fibres.are_there()) {
+    caption += fmt::format(",  {} {}", rods.size(),
+                           fibres.all.size() == rods.size() ? "fibres" : "fibres and rods");
+    kind = "segments";
+  }
+  caption += shown == all.size() ? fmt::format(",  {} {},  ", all.size(), kind)
+                                 : fmt::format(",  {} of {} {},  ", shown, all.size(), kind);
   if (frame.time) return caption + fmt::format("t = {:.4g} s", *frame.time);
   if (timestep)
     return caption + fmt::format("t = {:.4g} s", static_cast<double>(frame.step) * *timestep);
@@ -133,14 +144,16 @@ std::string numbered(const std::string &path, std::size_t number)
 void draw(const DumpFrame &frame, const std::vector<Rod> &rods, const ShownPart &part,
           const std::string &path, const Options &options, PictureOptions picture, char **argv)
 {
-  RodQuantity colour = rod_quantity(frame, rods, options.colour);
+  const Fibres fibres = fibres_of(frame, rods, options.fibres);
+  RodQuantity colour = rod_quantity(frame, rods, options.colour, fibres);
   if (!options.range.empty()) {
     colour.low = options.range[0];
     colour.high = options.range[1];
   }
   std::vector<Rod> shown;
   std::vector<double> values;
-  for (const std::size_t i : part.rods_shown(rods)) {
+  const std::vector<std::size_t> kept = part.rods_shown(rods);
+  for (const std::size_t i : kept) {
     shown.push_back(rods[i]);
     values.push_back(colour.values[i]);
   }
@@ -149,13 +162,14 @@ void draw(const DumpFrame &frame, const std::vector<Rod> &rods, const ShownPart 
   if (shown.empty() && !part.may_be_empty())
     throw InputError(fmt::format("{}: step {}: {} leaves none of its {} rods", frame.path,
                                  frame.step, part.left_out_by(), rods.size()));
-  picture.caption = caption_of(frame, rods, shown.size(), options.timestep);
+  picture.caption = caption_of(frame, rods, fibres, shown.size(), options.timestep);
   part.set(picture, frame);
   {
     const OutputFile probe(path);  // can it be written?
   }
   need_display(argv);  // may start the program again: all is said, no file is open
-  write_bed_picture(path, shown, colour, picture);
+  write_bed_picture(path, shown, options.segments ? Fibres{} : fibres_among(fibres, kept), colour,
+                    picture);
 }
 
 // One picture of the frame chosen.
@@ -208,6 +222,7 @@ void run(const Options &options, char **argv)
   set_background(picture, options.background);
   picture.view = view_of(options.view);
   picture.resolution = options.resolution;
+  picture.blend = options.colour != "id" && options.colour != "type";
   picture.font_size = options.font_size;
   picture.colour_bar = !options.no_bar;
   const FrameChoice choice = parse_frame_choice(options.input.frame);
@@ -231,6 +246,7 @@ int main(int argc, char **argv)
              "         rod_render mill.dump --frame all --out mill.png --mesh drum.stl --body "
              "'blade_*.stl'");
   add_input_options(app, options.input);
+  add_fibre_options(app, options.fibres);
   app.add_option("--out", options.out,
                  "PNG file to write; with --frame all NAME_0001.png and so on")
       ->required()
@@ -239,8 +255,9 @@ int main(int argc, char **argv)
   app.add_option("--view", options.view, "side, top or oblique")
       ->check(CLI::IsMember({"side", "top", "oblique"}))
       ->capture_default_str();
-  app.add_option("--colour,--color", options.colour,
-                 "colour by elevation, speed, spin, id, contacts or any column of the dump")
+  app.add_option(
+         "--colour,--color", options.colour,
+         "colour by elevation, speed, spin, id, contacts or any column of the dump; of fibres also fibre, place and curvature")
       ->capture_default_str();
   app.add_option("--range", options.range, "LOW HIGH ends of the colour map")
       ->expected(2)
@@ -291,6 +308,7 @@ int main(int argc, char **argv)
                  "what fits")
       ->check(CLI::Range(6, 400));
   app.add_flag("--no-colour-bar,--no-color-bar", options.no_bar, "leave out the colour bar");
+  app.add_flag("--segments", options.segments, "draw each segment of a fibre as a rod");
   app.add_option("--resolution", options.resolution, "corners around a rod")
       ->check(CLI::Range(8, 200))
       ->capture_default_str();

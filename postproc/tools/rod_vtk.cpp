@@ -26,6 +26,7 @@ namespace {
 
 struct Options {
   InputOptions input{"", "all"};
+  FibreOptions fibres;
   std::string out = "rods";
   std::string geometry = "capsules";
   int resolution = 12;
@@ -118,9 +119,12 @@ void run(const Options &options)
       if (!ovito) ovito.emplace(options.out + ".xyz");
       ovito->add(frame, rods, time);
     }
-    const RodGeometry geometry =
-        options.geometry == "lines" ? rod_lines(rods) : rod_surfaces(rods, options.resolution);
-    attach_rod_data(geometry, frame, rods);
+    const Fibres fibres = fibres_of(frame, rods, options.fibres);
+    const RodGeometry geometry = options.geometry == "lines" ? rod_lines(rods)
+                                 : options.geometry == "segments"
+                                     ? rod_surfaces(rods, options.resolution)
+                                     : rod_surfaces(rods, fibres, options.resolution);
+    attach_rod_data(geometry, frame, rods, fibres);
     const std::string file = fmt::format("{}_{:010}.vtp", options.out, frame.step);
     if (series.has(file))
       throw InputError(
@@ -155,9 +159,12 @@ int main(int argc, char **argv)
              "         rod_vtk bed.dump --out bed --frame last --vessel-radius 0.305 "
              "--vessel-height 0.6");
   add_input_options(app, options.input);
+  add_fibre_options(app, options.fibres);
   app.add_option("--out", options.out, "PREFIX of the files to write")->capture_default_str();
-  app.add_option("--geometry", options.geometry, "capsules (triangles) or lines")
-      ->check(CLI::IsMember({"capsules", "lines"}))
+  app.add_option(
+         "--geometry", options.geometry,
+         "capsules (triangles; fibres as smooth tubes), segments (of fibres as capsules, too) or lines")
+      ->check(CLI::IsMember({"capsules", "segments", "lines"}))
       ->capture_default_str();
   app.add_option("--resolution", options.resolution, "corners around a capsule")
       ->check(CLI::Range(8, 200))

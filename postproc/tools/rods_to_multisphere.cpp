@@ -20,6 +20,7 @@ namespace {
 
 struct Options {
   InputOptions input;
+  FibreOptions fibres;
   SphereCount count;
   std::optional<double> density, margin;
   std::string out = "rods";
@@ -55,6 +56,7 @@ void write_input(const Options &options, const DumpFrame &frame)
   if (rods.empty())
     throw InputError(
         fmt::format("{}: step {} holds no rods, wanted at least one", frame.path, frame.step));
+  need_no_fibres(frame, rods, options.fibres, "bodies of fix multisphere do not bend");
   const std::vector<RodKind> kinds = rod_kinds(frame, rods, options.count, options.density);
   const BoxBounds box = multisphere_box(frame, rods, options.margin);
   std::size_t spheres = 0;
@@ -89,6 +91,7 @@ int main(int argc, char **argv)
              "         rods_to_multisphere gas.dump --spacing 0.5 --out gas\n"
              "         rods_to_multisphere bed.dump --spacing 1 --fit 0.05 --out bed");
   add_input_options(app, options.input);
+  add_fibre_options(app, options.fibres);
   auto *how_many = app.add_option_group("spheres", "");
   how_many->add_option("--spheres", options.count.spheres, "spheres a rod")
       ->check(CLI::Range(2, 100000));
