@@ -163,10 +163,13 @@ class PlacedStadium {
       }
       // u x (centre + radius e - centre_) = side radius_, with u x e = sin(angle - angle of u).
       const double height = (side * radius_ - cross(u_, centre - centre_)) / radius;
-      if (std::abs(height) < 1.0) {
+      // A side that only touches the circle, as where both have an end in common, parts it too.
+      constexpr double kTouch = 1e-9;
+      if (std::abs(height) < 1.0 + kTouch) {
         const double tilt = std::atan2(u_.z, u_.t);
-        add(tilt + std::asin(height));
-        add(tilt + pi - std::asin(height));
+        const double turn = std::asin(std::clamp(height, -1.0, 1.0));
+        add(tilt + turn);
+        add(tilt + pi - turn);
       }
     }
     return cuts;

@@ -10,15 +10,11 @@
 namespace spherocylinder {
 namespace {
 
-// Radii that ends may be apart for the closed form.
-constexpr double kNear = 0.02;
+// Of r^3: with a larger error the volume is left to overlap_volume.
+constexpr double kLargestError = 1e-3;
 
 // Relative, of joints without a closed form.
 constexpr double kTolerance = 1e-4;
-
-// Ends d apart across the axis cut a rim of some d times as much from discs whose depth is
-// sqrt(2 r d): found to be less than r^3 (d/r)^(3/2).
-constexpr double kRim = 1.0;
 
 }  // namespace
 
@@ -34,13 +30,13 @@ BoundedVolume shared_end_volume(const Capsule &a, const Capsule &b)
   const Vec3 apart = t.at(-t.half_length) - s.at(s.half_length);
   const double distance = norm(apart), half_tangent = std::tan(0.5 * angle);
   const bool has_room = r * half_tangent <= 2.0 * std::min(s.half_length, t.half_length);
-  if (!(has_room && distance <= kNear * r)) return overlap_volume(a, b, kTolerance);
+  const double part = distance / r, error = part * (std::sqrt(part) + 2.0 * angle);
+  if (!(has_room && error <= kLargestError)) return overlap_volume(a, b, kTolerance);
   const Vec3 mean = s.axis + t.axis;  // not zero: there is room
   const double along = dot(apart, mean) / norm(mean);
   const double cube = 4.0 / 3.0 * r * r * r;
-  const double part = distance / r;
-  return {cube * (pi - 0.5 * angle + half_tangent) - pi * r * r * along,
-          kRim * r * r * r * part * std::sqrt(part)};
+  const double section = 0.5 * pi * r * r * (1.0 + std::hypot(1.0, half_tangent));
+  return {cube * (pi - 0.5 * angle + half_tangent) - section * along, error * r * r * r};
 }
 
 }  // namespace spherocylinder
