@@ -251,7 +251,9 @@ void GranularPairSpherocylinder::work_out_piece(int piece, int thread, const Pai
     if (shares_) take_weights(batch);
     if (any_above(batch.depth, SuddenOverlaps::kWatched, batch.count))
       for (int k = 0; k < batch.count; k++)
-        deep.look(batch.i[k], batch.j[k], batch.depth[k], batch.can_move(k));
+        // At a joint a contact begins as deep as the one that it goes on from, and of no share.
+        deep.look(batch.i[k], batch.j[k], batch.depth[k] * (shares_ ? batch.weight[k] : 1.0),
+                  batch.can_move(k));
     if (springs_go_on && histories.remember_sides()) keep_sides(batch);
     monitor_->look(batch, seen);
     use(batch);

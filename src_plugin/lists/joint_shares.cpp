@@ -9,6 +9,7 @@
 #include "neighbor.h"
 #include "rods/atom_vec_spherocylinder.h"
 #include "rods/fibre_segments.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace spherocylinder;
@@ -28,8 +29,11 @@ bool JointShares::bring_up_to_date()
   if (!segments.rows) return false;
   const Seen now = {neighbor->ncalls, neighbor->lastcall, atom->nlocal, atom->nghost,
                     segments.changes};
-  if (now.builds == seen_.builds && now.last_build == seen_.last_build && now.rods == seen_.rods &&
-      now.ghosts == seen_.ghosts && now.changes == seen_.changes)
+  // A command may have changed rods before a run.
+  const Update &step = *update;
+  const bool run_begins = step.setupflag || step.ntimestep <= step.firststep + 1;
+  if (!run_begins && now.builds == seen_.builds && now.last_build == seen_.last_build &&
+      now.rods == seen_.rods && now.ghosts == seen_.ghosts && now.changes == seen_.changes)
     return true;
   seen_ = now;
   joints_.list_places();

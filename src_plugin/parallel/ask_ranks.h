@@ -7,6 +7,8 @@
 
 #include <mpi.h>
 
+#include "parallel/from_all_ranks.h"
+
 namespace LAMMPS_NS {
 
 // What a question of any rank has been answered, by whichever rank knows.
@@ -32,19 +34,11 @@ template <typename Answer>
 Answers ask_ranks(MPI_Comm world, const std::vector<int> &asked, int numbers, int values,
                   Answer answer)
 {
-  int ranks = 1, rank = 0;
-  MPI_Comm_size(world, &ranks);
-  MPI_Comm_rank(world, &rank);
-  const int own = static_cast<int>(asked.size());
-  std::vector<int> counts(ranks), starts(ranks, 0);
-  MPI_Allgather(&own, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  for (int k = 1; k < ranks; k++) starts[k] = starts[k - 1] + counts[k - 1];
-  const int all = starts.back() + counts.back();
+  const std::vector<int> questions = from_all_ranks(world, asked);
+  const int all = static_cast<int>(questions.size()), own = static_cast<int>(asked.size());
   if (all == 0) return {values, {}};
-  std::vector<int> questions(all);
-  MPI_Allgatherv(asked.data(), own, MPI_INT, questions.data(), counts.data(), starts.data(),
-                 MPI_INT, world);
-
+  int up_to_own = 0;
+  MPI_Scan(&own, &up_to_own, 1, MPI_INT, MPI_SUM, world);
   const int width = 1 + values;
   std::vector<double> answers(static_cast<size_t>(all / numbers) * width, 0.0), sum(answers.size());
   for (int n = 0; n < all / numbers; n++) {
@@ -53,7 +47,7 @@ Answers ask_ranks(MPI_Comm world, const std::vector<int> &asked, int numbers, in
   }
   MPI_Allreduce(answers.data(), sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM,
                 world);
-  const auto first = sum.begin() + static_cast<std::ptrdiff_t>(starts[rank] / numbers) * width;
+  const auto first = sum.begin() + static_cast<std::ptrdiff_t>((up_to_own - own) / numbers) * width;
   return {values, {first, first + static_cast<std::ptrdiff_t>(own / numbers) * width}};
 }
 
