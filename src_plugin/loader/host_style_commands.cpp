@@ -45,7 +45,8 @@ std::vector<HostStyle> command_rows()
           "it moves the centres and not the axes; use read_restart or "
           "read_data"),
       row(kMap, "read_restart", kRight,
-          "give pair_style and walls again, with surface spherocylinder"),
+          "give pair_style and walls again, with surface spherocylinder; a file that is not whole is refused, see "
+          "restart_files"),
       row(kMap, "replicate", kRight,
           "the copies' ids go on from the highest one; contacts across a periodic face begin anew; fibres are copied whole"),
       row(kMap, "rotate", kRefused,
@@ -59,9 +60,10 @@ std::vector<HostStyle> command_rows()
       row(kMap, "velocity", kDifferent,
           "zero angular: the rotation of the centres only, as with spheres; setAngular gives angular "
           "momenta"),
-      row(kMap, "write_data", kRight, ""),
+      row(kMap, "write_data", kRight, "without contact histories, as the log says"),
       row(kMap, "write_dump", kRight, "as the dump style it names"),
-      row(kMap, "write_restart", kRight, ""),
+      row(kMap, "write_restart", kRight,
+          "whole or not at all, with a closing mark: see restart_files"),
 
       row(kBuiltIn, "angle_coeff", kRefused, kNoBonds),
       row(kBuiltIn, "angle_style", kRefused, kNoBonds),
@@ -122,7 +124,8 @@ std::vector<HostStyle> command_rows()
       row(kBuiltIn, "quit", kRight, ""),
       row(kBuiltIn, "region", kRight, "see its table"),
       row(kBuiltIn, "reset_timestep", kRight, ""),
-      row(kBuiltIn, "restart", kRight, ""),
+      row(kBuiltIn, "restart", kRight,
+          "as write_restart; within a run also the forces of the step"),
       row(kBuiltIn, "run_style", kDifferent, "verlet only"),
       row(kBuiltIn, "shell", kRight, ""),
       row(kBuiltIn, "soft_particles", kRight, "only silences a warning about Young's modulus"),

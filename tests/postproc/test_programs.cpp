@@ -860,6 +860,20 @@ TEST_F(Programs, VtkFilesCarryAllColumns)
   EXPECT_NE(read("p_0000000000.vtp").find("NumberOfLines=\"0\""), std::string::npos);
 }
 
+// The shell's limit on the length of files stands for a full disk: the first frame is empty and fits. Of a series
+// nothing is left, and the sentence names the file that did not fit, not the one beside it.
+TEST_F(Programs, VtkSeriesOnAFullDisk)
+{
+  EXPECT_EQ(
+      run("sh -c 'ulimit -f 12; rod_vtk pour.dump --out full --vessel-radius 1 --vessel-height 2'"),
+      2);
+  EXPECT_EQ(count_lines(error_), 1u) << error_;
+  EXPECT_EQ(error_.find("rod_vtk: full_"), 0u) << error_;
+  EXPECT_NE(error_.find(".vtp: could not be written to its end"), std::string::npos) << error_;
+  for (const auto &file : std::filesystem::directory_iterator(folder()))
+    EXPECT_EQ(file.path().filename().string().find("full"), std::string::npos) << file.path();
+}
+
 // Wall and floor stand beside the rods in each frame.
 TEST_F(Programs, VtkSeriesHoldsTheVessel)
 {
