@@ -132,11 +132,13 @@ ShareSlope slope_of_share(const LinePatch &own, const LinePatch &next, double lo
   return {6.0 * y * (1.0 - y) / length, smooth_step(more / kWhollyOwn)};
 }
 
-Vec3 advance_on_line(const Vec3 &line, const Vec3 &other, bool at_end)
+Vec3 advance_on_line(const Vec3 &line, const Segment &other, const LinePatch &patch, bool at_end)
 {
-  const double cosine = dot(line, other), squared_sine = 1.0 - cosine * cosine;
-  if (at_end || !(squared_sine > 0.0)) return line;
-  return (1.0 / squared_sine) * (line - cosine * other);
+  const double cosine = dot(line, other.axis), squared_sine = 1.0 - cosine * cosine;
+  const double along_other = patch.half * std::fabs(cosine);
+  if (at_end || !(squared_sine > 0.0) || along_other >= other.half_length) return line;
+  const double crossed = std::min(1.0, 2.0 - 2.0 * along_other / other.half_length);
+  return (1.0 - crossed) * line + (crossed / squared_sine) * (line - cosine * other.axis);
 }
 
 double reach_beyond_joint(const LinePatch &own, const LinePatch &next, double longest,

@@ -58,9 +58,9 @@ struct ShareSlope {
 };
 ShareSlope slope_of_share(const LinePatch &own, const LinePatch &next, double longest);
 
-// How the place where a line is nearest to another moves with that one, along the line: no motion of an axis
-// along itself counts, unless `at_end` of it is nearest.
-Vec3 advance_on_line(const Vec3 &line, const Vec3 &other, bool at_end);
+// How a patch on the line moves with the other axis, along the line: no motion of a crossed axis along itself
+// counts; a patch that is as long as the other rod, or where that one ends (`at_end`), moves as it does.
+Vec3 advance_on_line(const Vec3 &line, const Segment &other, const LinePatch &patch, bool at_end);
 
 // Whether `own` lies so far before the joint that its rod has all of it, whatever the other's is.
 bool is_all_before_joint(const LinePatch &own, double longest);

@@ -98,7 +98,7 @@ void JointShares::share_at_end(Share &share, int i, bool head, const Capsule &ro
   const bool at_end = std::fabs(points.t) >= other.half_length;
   const Vec3 outward = (head ? 1.0 : -1.0) * rod.segment.axis;
   share.push = share.push -
-               (0.5 * before * slope.fall * squares) * advance_on_line(outward, other.axis, at_end);
+               (0.5 * before * slope.fall * squares) * advance_on_line(outward, other, own, at_end);
 }
 
 JointShares::Share JointShares::of_one(int i, int j, const std::vector<Capsule> &rods,

@@ -145,7 +145,7 @@ TEST(JointShare, AdvanceAgainstDifferences)
 {
   const Segment line = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 100.0};
   const Segment other = {{0.4, 0.2, 1.5}, unit({0.7, 0.6, 0.2}), 10.0};
-  const Vec3 advance = advance_on_line(line.axis, other.axis, false);
+  const Vec3 advance = advance_on_line(line.axis, other, {0.0, 0.1}, false);
   const double step = 1e-5;
   for (const Vec3 &way : {Vec3{step, 0.0, 0.0}, Vec3{0.0, step, 0.0}, Vec3{0.0, 0.0, step}}) {
     Segment there = other, back = other;
@@ -154,6 +154,11 @@ TEST(JointShare, AdvanceAgainstDifferences)
     const double moved = closest_points(line, there).s - closest_points(line, back).s;
     EXPECT_NEAR(dot(advance, way), 0.5 * moved, 1e-9);
   }
+  for (const double half : {20.0, 1e3})
+    EXPECT_EQ(norm(advance_on_line(line.axis, other, {0.0, half}, false) - line.axis), 0.0);
+  EXPECT_EQ(norm(advance_on_line(line.axis, {other.centre, line.axis, 1.0}, {0.0, 0.1}, false) -
+                 line.axis),
+            0.0);
 }
 
 }  // namespace
