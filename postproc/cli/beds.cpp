@@ -142,8 +142,10 @@ std::string fibre_count_line(const FibreShapes &shapes)
 {
   std::string line =
       fmt::format("{:<22} {:8}       of {} segments", "fibres", shapes.fibres, shapes.segments);
-  if (shapes.rings > 0) line += fmt::format(", {} rings", shapes.rings);
-  if (shapes.parts > 0) line += fmt::format(", {} are parts of fibres that are cut", shapes.parts);
+  if (shapes.rings > 0)
+    line += fmt::format(", {} of them {}", shapes.rings, shapes.rings == 1 ? "a ring" : "rings");
+  if (shapes.parts > 0)
+    line += fmt::format(", {} of them parts of fibres that are cut", shapes.parts);
   return line;
 }
 

@@ -13,7 +13,11 @@
 namespace spherocylinder {
 namespace {
 
-constexpr const char *kFibreColumn = "f_fibres[1]", *kPlaceColumn = "f_fibres[2]";
+constexpr const char *kFibreColumn = "f_fibres[1]", *kPlaceColumn = "f_fibres[2]",
+                     *kEndsColumn = "f_fibres[3]";
+
+// Of the ends (FibreSegments::kHeadJoined of the plug-in).
+constexpr std::int64_t kHeadJoined = 2;
 
 // A ring of two would need curved rods.
 constexpr std::size_t kFewestInARing = 3;
@@ -38,6 +42,7 @@ class FibreColumns {
     if (!fibre && !place) return;
     fibre_ = need_column(frame, kFibreColumn);
     place_ = need_column(frame, kPlaceColumn);
+    ends_ = frame.find_column(kEndsColumn);
   }
 
   bool are_there() const { return fibre_.has_value(); }
@@ -61,6 +66,12 @@ class FibreColumns {
     return found;
   }
 
+  // Not known to be free: it may have broken, and the ends still meet.
+  bool may_be_joined(std::uint32_t row) const
+  {
+    return !ends_ || (whole_number(row, *ends_, 0) & kHeadJoined) != 0;
+  }
+
   [[noreturn]] void fail(std::uint32_t row, const std::string &what) const
   {
     throw InputError(
@@ -80,7 +91,7 @@ class FibreColumns {
 
   const DumpFrame &frame_;
   const std::vector<Rod> &rods_;
-  std::optional<std::size_t> fibre_, place_;
+  std::optional<std::size_t> fibre_, place_, ends_;
 };
 
 class Chains {
@@ -167,6 +178,7 @@ class Chains {
   // Whether the head of i and the tail of j meet.
   bool join(std::uint32_t i, std::uint32_t j)
   {
+    if (!columns_.may_be_joined(i)) return false;
     const Capsule &a = rods_[i].capsule, &b = rods_[j].capsule;
     const Vec3 head = head_of(a.segment), between = tail_of(b.segment) - head;
     const auto back = [&](double x, int d) {

@@ -20,8 +20,8 @@ namespace spherocylinder {
 constexpr double kMeetDefault = 0.1;
 
 struct FibreOptions {
-  std::vector<std::string>
-      columns;                 // of fibre and place; none: those of fix joint, if they are there
+  // Of fibre and place; none: those of fix joint, if they are there.
+  std::vector<std::string> columns;
   double meet = kMeetDefault;  // diameters that ends which are joined may be apart
 };
 
@@ -57,9 +57,10 @@ struct Fibres {
   bool never_touch(std::uint32_t i, std::uint32_t j, const std::vector<Rod> &rods) const;
 };
 
-// Fibres by their ids, cut wherever a place lacks or ends do not meet: the parts count as fibres.
+// Fibres by their ids, cut wherever a place lacks or ends do not meet, and where fix joint's column
+// f_fibres[3], if it is there, says that a head is free: the parts count as fibres.
 // Without the columns there are none. Throws InputError for a named column that is missing, one
-// column without the other, ids and places that are no whole numbers, two rods at one place,
+// column without the other, ids, places and ends that are no whole numbers, two rods at one place,
 // segments of unlike radii and a tilted box that is periodic.
 Fibres fibres_of(const DumpFrame &frame, const std::vector<Rod> &rods, const FibreOptions &options);
 

@@ -176,31 +176,68 @@ RodGas rod_gas(const RodGasOptions &o)
   return gas;
 }
 
+namespace {
+
+// The rods, or the segments of each one after the other.
+std::vector<GasRod> segments_of(const RodGasOptions &o, const std::vector<GasRod> &rods)
+{
+  if (o.segments == 1) return rods;
+  std::vector<GasRod> segments;
+  for (const GasRod &rod : rods) {
+    const double half = rod.segment.half_length / o.segments;
+    for (int k = 0; k < o.segments; k++) {
+      const Vec3 arm = (half * (2 * k + 1 - o.segments)) * rod.segment.axis;
+      segments.push_back({{rod.segment.centre + arm, rod.segment.axis, half},
+                          rod.velocity + cross(rod.omega, arm),
+                          rod.omega});
+    }
+  }
+  return segments;
+}
+
+}  // namespace
+
 std::string gas_data_file(const RodGasOptions &o, const RodGas &gas)
 {
+  const double radii_apart = 2.0 * (o.lambda - 1.0) / o.segments;
+  if (o.segments > 1 && !(radii_apart >= 1.0))
+    throw InputError(fmt::format("{} segments of a rod of aspect ratio {} have joints {:.3g} radii "
+                                 "apart, wanted at least 1",
+                                 o.segments, o.lambda, radii_apart));
+  const std::vector<GasRod> segments = segments_of(o, gas.rods);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(
-      out, "Rods of aspect ratio {} at random, {} of the volume\n\n{} atoms\n1 atom types\n\n",
-      o.lambda, o.solid, gas.rods.size());
+  fmt::format_to(out,
+                 "Rods of aspect ratio {} at random, {} of the volume\n\n{} atoms\n1 atom types\n",
+                 o.lambda, o.solid, segments.size());
+  if (o.segments > 1) fmt::format_to(out, "{} segments\n", segments.size());
+  fmt::format_to(out, "\n");
   for (int d = 0; d < 3; d++)
     fmt::format_to(out, "0 {:.17g} {}lo {}hi\n", gas.box[d], "xyz"[d], "xyz"[d]);
   const auto put = [&](const Vec3 &a) {
     fmt::format_to(out, " {:.17g} {:.17g} {:.17g}", a.x, a.y, a.z);
   };
+  const double length = o.diameter * (1.0 + (o.lambda - 1.0) / o.segments);
   fmt::format_to(out, "\nAtoms\n");
   std::size_t id = 0;
-  for (const GasRod &rod : gas.rods) {
-    fmt::format_to(out, "\n{} 1 {} {} {}", ++id, o.diameter, o.lambda * o.diameter, o.density);
+  for (const GasRod &rod : segments) {
+    fmt::format_to(out, "\n{} 1 {} {} {}", ++id, o.diameter,
+                   o.segments == 1 ? o.lambda * o.diameter : length, o.density);
     put(rod.segment.centre);
     put(rod.segment.axis);
   }
   fmt::format_to(out, "\n\nVelocities\n");
   id = 0;
-  for (const GasRod &rod : gas.rods) {
+  for (const GasRod &rod : segments) {
     fmt::format_to(out, "\n{}", ++id);
     put(rod.velocity);
     put(rod.omega);
+  }
+  if (o.segments > 1) {
+    const auto n = static_cast<std::size_t>(o.segments);
+    fmt::format_to(out, "\n\nFibres\n");
+    for (std::size_t k = 0; k < segments.size(); k++)
+      fmt::format_to(out, "\n{} {} {}", k + 1, k / n + 1, k % n + 1);
   }
   fmt::format_to(out, "\n");
   return fmt::to_string(text);

@@ -19,6 +19,7 @@ struct RodGasOptions {
   std::array<int, 3> copies{1, 1, 1};                     // of the cube in x, y and z
   bool floor = false;
   unsigned long seed = 86028121;
+  int segments = 1;  // of each rod, which is a fibre if there are more
 };
 
 struct GasRod {
@@ -46,7 +47,9 @@ struct RodGas {
 // Throws InputError if there is no room for all.
 RodGas rod_gas(const RodGasOptions &options);
 
-// The gas as a file for read_data of atom_style spherocylinder.
+// The gas as a file for read_data of atom_style spherocylinder. With more than one segment each rod is
+// a straight fibre, in a section Fibres, whose segments move as the rod does. Throws InputError for
+// joints nearer than a radius.
 std::string gas_data_file(const RodGasOptions &options, const RodGas &gas);
 
 }  // namespace spherocylinder

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -11,11 +14,13 @@
 #include <vtkPolyDataMapper2D.h>
 
 #include "core/closest_points.h"
+#include "fibre_frames.h"
 #include "io/input_error.h"
 #include "io/vtk_errors.h"
 #include "meshes.h"
 #include "pictures/annotation.h"
 #include "pictures/colour_map.h"
+#include "pictures/fibre_surface.h"
 #include "pictures/font.h"
 #include "pictures/mesh_surface.h"
 #include "pictures/picture_layout.h"
@@ -526,6 +531,95 @@ TEST(ColourMap, EndsOfViridis)
   viridis(2, 5)->GetColor(5, rgb);
   EXPECT_NEAR(rgb[0] * 255, 0xfd, 0.6);
   EXPECT_NEAR(rgb[1] * 255, 0xe7, 0.6);
+}
+
+// A fibre's tube is closed where it ends and has no gap at a joint; its points are about a radius from
+// the segments' axes, off by an eighth of bend times length, and normals point away from them.
+TEST(FibreSurface, IsASmoothTube)
+{
+  const double r = 0.005, h = 0.04, bend = 0.3;
+  FibreBed bed;
+  bed.add_chain(1, points_on_arc({0, 0, 0}, h, 6, bend), r);
+  const Fibres fibres = fibres_of(bed.frame(), bed.rods, {});
+  const RodGeometry geometry = rod_surfaces(bed.rods, fibres, 16);
+  vtkPoints *points = geometry.mesh->GetPoints();
+  vtkDataArray *normals = geometry.mesh->GetPointData()->GetNormals();
+  ASSERT_EQ(geometry.rod_of_point.size(), static_cast<std::size_t>(points->GetNumberOfPoints()));
+  ASSERT_EQ(geometry.neighbour_of_point.size(), geometry.rod_of_point.size());
+  ASSERT_EQ(geometry.rod_of_cell.size(),
+            static_cast<std::size_t>(geometry.mesh->GetNumberOfCells()));
+  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); k++) {
+    const double *at = points->GetPoint(k);
+    const Vec3 p{at[0], at[1], at[2]};
+    const Segment &s = bed.rods[geometry.rod_of_point[k]].capsule.segment;
+    const double along = std::clamp(dot(p - s.centre, s.axis), -s.half_length, s.half_length);
+    EXPECT_NEAR(norm(p - s.at(along)), r, h * bend / 8.0 + 0.05 * r);
+    const double *n = normals->GetTuple3(k);
+    EXPECT_GT(dot({n[0], n[1], n[2]}, p - s.at(along)), 0.9 * r - h * bend / 8.0);
+    EXPECT_LE(std::abs(geometry.rod_of_point[k] - geometry.neighbour_of_point[k]), 1);
+  }
+  // Points that lie on each other are one: each edge then has two triangles but for the poles'.
+  std::map<std::array<int, 3>, int> number;
+  const auto point = [&](vtkIdType k) {
+    const double *at = points->GetPoint(k);
+    const auto cell = [](double x) { return static_cast<int>(std::lround(x * 1e7)); };
+    return number
+        .emplace(std::array{cell(at[0]), cell(at[1]), cell(at[2])}, static_cast<int>(number.size()))
+        .first->second;
+  };
+  std::map<std::pair<int, int>, int> edges;
+  for (vtkIdType k = 0; k < geometry.mesh->GetNumberOfCells(); k++) {
+    vtkCell *cell = geometry.mesh->GetCell(k);
+    for (int e = 0; e < 3; e++) {
+      const int a = point(cell->GetPointId(e)), b = point(cell->GetPointId((e + 1) % 3));
+      if (a != b) edges[{a, b}]++;
+    }
+  }
+  for (const auto &[edge, count] : edges)
+    EXPECT_EQ(count,
+              (edges.count({edge.second, edge.first}) ? edges.at({edge.second, edge.first}) : 0));
+}
+
+// Over a periodic boundary the tube ends on either side, where its segments are.
+TEST(FibreSurface, EndsAtAPeriodicBoundary)
+{
+  FibreBed bed;
+  bed.add_chain(1, points_in_line({0.05, 0, 0}, {1, 0, 0}, 0.04, 4), 0.005);
+  for (Rod &rod : bed.rods)
+    if (rod.capsule.segment.centre.x > 0.15) rod.capsule.segment.centre.x -= 0.2;
+  const Fibres fibres =
+      fibres_of(bed.frame({true, false, false}, {{{-0.05, 0.15}, {-1, 1}, {-1, 1}}}), bed.rods, {});
+  ASSERT_EQ(fibres.joints.size(), 3u);
+  const auto tube = tube_of(fibres.all[0], fibres, bed.rods, 12);
+  ASSERT_EQ(tube.size(), 4u);
+  for (std::size_t k = 0; k < 4; k++) {
+    EXPECT_EQ(tube[k].begins, k == 0 || k == 3) << k;
+    EXPECT_EQ(tube[k].ends, k == 2 || k == 3) << k;
+    EXPECT_NEAR(tube[k].rings.front().centre.x, bed.rods[k].capsule.segment.centre.x - 0.02, 1e-12);
+    EXPECT_NEAR(tube[k].rings.back().centre.x, bed.rods[k].capsule.segment.centre.x + 0.02, 1e-12);
+  }
+}
+
+// A ring's tube comes back to itself, corner on corner.
+TEST(FibreSurface, RingCloses)
+{
+  std::vector<Vec3> points;
+  for (int k = 0; k <= 9; k++) {
+    const double angle = 2.0 * M_PI * (k % 9) / 9;
+    points.push_back(
+        {0.06 * std::cos(angle), 0.05 * std::sin(angle), 0.01 * std::sin(2 * angle + 0.5)});
+  }
+  FibreBed bed;
+  bed.add_chain(1, points, 0.005);
+  const Fibres fibres = fibres_of(bed.frame(), bed.rods, {});
+  ASSERT_TRUE(fibres.all[0].is_ring);
+  const int corners = 12;
+  const auto tube = tube_of(fibres.all[0], fibres, bed.rods, corners);
+  const TubeRing &first = tube.front().rings.front(), &last = tube.back().rings.back();
+  EXPECT_NEAR(norm(first.centre - last.centre), 0.0, 1e-12);
+  EXPECT_NEAR(norm(first.along - last.along), 0.0, 1e-12);
+  const double turn = std::acos(std::clamp(dot(first.across, last.across), -1.0, 1.0));
+  EXPECT_NEAR(std::remainder(turn, 2.0 * M_PI / corners), 0.0, 1e-6);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 
 #include "../program_folder.h"
+#include "fibre_frames.h"
 #include "meshes.h"
 #include "page_examples.h"
 #include "scratch_folder.h"
@@ -72,7 +73,23 @@ class Programs : public ScratchFolder {
       options.seed += 2;
       write(name, dump_text(random_bed(options), 1000));
     }
+    write("fibres.dump", fibres().dump());
     write("pour.dump", dump_text({}, 0) + dump_text({rods.begin(), rods.begin() + 10}, 500) + bed_);
+  }
+
+  // An arc of ten segments, one in line beside it of four, a ring of twelve and a rod.
+  static FibreBed fibres()
+  {
+    FibreBed bed;
+    std::vector<Vec3> circle;
+    for (int k = 0; k <= 12; k++)
+      circle.push_back(
+          {0.15 + 0.05 * std::cos(k * M_PI / 6), 0.1 + 0.05 * std::sin(k * M_PI / 6), 0.01});
+    bed.add_chain(1, points_on_arc({-0.1, 0.0, 0.01}, 0.04, 10, 0.1), 0.005);
+    bed.add_chain(2, points_in_line({-0.1, 0.05, 0.00499}, {1.0, 0.0, 0.0}, 0.04, 4), 0.005);
+    bed.add_chain(3, circle, 0.005);
+    bed.add({{{0.0, -0.1, 0.01}, {1.0, 0.0, 0.0}, 0.05}, 0.005});
+    return bed;
   }
 
   // Runs in the test's folder; standard output and error end up in `out` and `error`.
@@ -1379,6 +1396,148 @@ TEST_F(Programs, MalformedFiles)
   }
   expect_refusal("rod_packing missing.dump --vessel-radius 1", "missing.dump: cannot be opened");
   expect_refusal("rod_packing . --vessel-radius 1", ".: is a folder");
+}
+
+TEST_F(Programs, PackingOfFibres)
+{
+  const double r = 0.005, wedge = 4.0 / 3.0 * r * r * r, ball = M_PI * wedge, ring_bend = M_PI / 6;
+  ASSERT_EQ(run("rod_packing fibres.dump --vessel-radius 0.5 --csv f.csv"), 0) << error_;
+  EXPECT_NE(out_.find("27 rods, lambda 25.01 of whole fibres"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("3       of 26 segments"), std::string::npos) << out_;
+  EXPECT_NE(out_.find(", 1 of them a ring"), std::string::npos) << out_;
+  auto row = csv_row(read("f.csv"));
+  EXPECT_EQ(row["rods"], 27.0);
+  EXPECT_EQ(row["fibres"], 3.0);
+  EXPECT_EQ(row["segments"], 26.0);
+  EXPECT_EQ(row["rings"], 1.0);
+  EXPECT_EQ(row["overlap_pairs"], 0.0);
+  const double ring = 12 * 2 * 0.05 * std::sin(ring_bend / 2);
+  const double cylinders = M_PI * r * r * (10 * 0.04 + 4 * 0.04 + ring + 0.1);
+  const double bent =
+      wedge * (9 * (std::tan(0.05) - 0.05) + 12 * (std::tan(ring_bend / 2) - ring_bend / 2));
+  EXPECT_NEAR(row["rods_volume_m3"], cylinders + 3 * ball - bent, 1e-9 * cylinders);
+  EXPECT_NEAR(row["lambda_mean"], (41.0 + 17.0 + ring / 0.01 + 11.0) / 4, 1e-6);
+  // Without the columns they are rods, joints overlap, and nothing is said of fibres.
+  write("rods.dump", fibres().dump(""));
+  ASSERT_EQ(run("rod_packing rods.dump --vessel-radius 0.5 --csv r.csv"), 0) << error_;
+  EXPECT_EQ(out_.find("fibres"), std::string::npos);
+  EXPECT_EQ(read("r.csv").find("fibres"), std::string::npos);
+  EXPECT_EQ(csv_row(read("r.csv"))["overlap_pairs"], 9 + 3 + 12.0);
+  // Columns of other names, if they are said.
+  write("other.dump", fibres().dump("c_a c_b"));
+  ASSERT_EQ(run("rod_packing other.dump --vessel-radius 0.5 --csv o.csv --fibre-columns c_a c_b"),
+            0);
+  EXPECT_EQ(read("o.csv"), read("f.csv"));
+}
+
+TEST_F(Programs, OrientationOfFibres)
+{
+  ASSERT_EQ(run("rod_orientation fibres.dump --summary-csv s.csv --fibre-csv c.csv"), 0) << error_;
+  auto row = csv_row(read("s.csv"));
+  EXPECT_EQ(row["rods"], 27.0);
+  EXPECT_EQ(row["near_pairs"], 0.0);
+  const double chord = std::sin(0.5) / std::sin(0.05) / 10;
+  EXPECT_NEAR(row["end_to_end_over_contour"], (chord + 1.0) / 2, 1e-9);
+  EXPECT_NEAR(row["mean_curvature_per_m"],
+              (0.1 / 0.04 + M_PI / 6 / (0.1 * std::sin(M_PI / 12))) / 3, 1e-6);
+  EXPECT_EQ(csv_rows(read("c.csv")).size(), 12u);
+  ASSERT_EQ(run("rod_orientation fibres.dump --by fibre --summary-csv s.csv"), 0) << error_;
+  row = csv_row(read("s.csv"));
+  EXPECT_EQ(row["rods"], 3.0);  // the ring has no end-to-end vector
+  EXPECT_NEAR(row["mean_elevation_deg"], 0.45 / 3 * 180 / M_PI, 1e-6);
+}
+
+TEST_F(Programs, ContactsOfFibres)
+{
+  ASSERT_EQ(run("rod_contacts fibres.dump --floor 0 --csv c.csv"), 0) << error_;
+  auto row = csv_row(read("c.csv"));
+  EXPECT_EQ(row["pair_contacts"], 0.0);
+  EXPECT_EQ(row["wall_contacts"], 5.0);  // of four segments in line on the floor
+  EXPECT_EQ(row["contacts_on_shared_ends_left_out"], 3.0);
+  EXPECT_EQ(row["contacts_per_fibre_with_walls"], 1.25);
+  EXPECT_EQ(row["fibre_contacts"], 0.0);
+  write("rods.dump", fibres().dump(""));
+  ASSERT_EQ(run("rod_contacts rods.dump --csv r.csv"), 0) << error_;
+  EXPECT_EQ(csv_row(read("r.csv"))["pair_contacts"], 24.0);
+  EXPECT_EQ(read("r.csv").find("fibre"), std::string::npos);
+}
+
+TEST_F(Programs, FibresThatCannotBeUsed)
+{
+  write("one.dump", fibres().dump("f_fibres[1] c_p"));
+  write("rods.dump", fibres().dump(""));
+  FibreBed twice = fibres();
+  twice.place[3] = 3;
+  write("twice.dump", twice.dump());
+  write("tilted.dump",
+        fibres().dump("f_fibres[1] f_fibres[2]", "xy xz yz pp pp ff\n-1 1 0.1\n-1 1 0\n-1 11 0"));
+  for (const std::string tool : {"rod_packing", "rod_orientation", "rod_contacts", "rod_vtk"}) {
+    expect_refusal(tool + " one.dump", "one.dump:9: column 'f_fibres[2]' is missing");
+    expect_refusal(tool + " twice.dump", "rod 4 is at place 3 of fibre 1, where rod 3 is too");
+    expect_refusal(tool + " rods.dump --fibre-columns a b", "rods.dump:9: column 'a' is missing");
+    expect_refusal(tool + " fibres.dump --meet 0.6",
+                   "--meet: must be a number from 0 to 0.5 (got '0.6')");
+    expect_refusal(tool + " fibres.dump --fibre-columns a", "--fibre-columns");
+    expect_refusal(tool + " tilted.dump", "the periodic box is tilted");
+  }
+  expect_refusal("rod_orientation rods.dump --by fibre",
+                 "--by: 'fibre' is wanted of a dump with columns of fibre and place");
+  expect_failure("rod_orientation rods.dump --fibre-csv c.csv",
+                 "--fibre-csv: wanted of a dump with columns of fibre and place");
+  expect_refusal("rod_orientation fibres.dump --by rod", "--by");
+  expect_refusal("rods_to_multisphere fibres.dump --spheres 9 --density 1",
+                 "26 of its 27 rods are segments of fibres, wanted none: bodies of fix multisphere "
+                 "do not bend");
+  expect_refusal(
+      "place_rods --lambda 3 --segments 5 --rods 9",
+      "5 segments of a rod of aspect ratio 3 have joints 0.8 radii apart, wanted at least 1");
+  expect_refusal("place_rods --segments 0", "--segments");
+}
+
+// place_rods makes fibres that the plug-in reads, and dumps as the programs read them.
+TEST_F(Programs, FibresOfPlaceRods)
+{
+  ASSERT_EQ(run("place_rods --lambda 17 --rods 60 --solid 0.03 --segments 4 --out f.data"), 0)
+      << error_;
+  write(
+      "in.fibres",
+      "atom_style spherocylinder\nunits si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
+      "read_data f.data\nneighbor 0.005 bin\nneigh_modify delay 0\n"
+      "fix E all property/global youngsModulus peratomtype 1e7\n"
+      "fix nu all property/global poissonsRatio peratomtype 0.3\n"
+      "fix e all property/global coefficientRestitution peratomtypepair 1 0.5\n"
+      "pair_style gran model hertz surface spherocylinder\npair_coeff * *\n"
+      "fix joints all joint/spherocylinder\nfix move all nve/spherocylinder\ntimestep 1e-7\n"
+      "dump d all custom 1 f.dump id type x y z shapex shapey shapez quat1 quat2 quat3 quat4 "
+      "f_fibres[1] f_fibres[2]\n"
+      "dump_modify d format \"%d %d %.15g %.15g %.15g %.15g %.15g %.15g %.15g %.15g %.15g %.15g %g %g\"\n"
+      "run 0\n");
+  std::filesystem::create_directory(folder() / "mpi");
+  ASSERT_EQ(
+      run("env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_tmpdir_base=$PWD/mpi lmp -in in.fibres"),
+      0)
+      << out_ << error_;
+  ASSERT_EQ(run("rod_packing f.dump --csv f.csv"), 0) << error_;
+  auto row = csv_row(read("f.csv"));
+  EXPECT_EQ(row["fibres"], 60.0);
+  EXPECT_EQ(row["segments"], 240.0);
+  EXPECT_NEAR(row["lambda_mean"], 17.0, 1e-9);
+  EXPECT_NEAR(row["vf_whole"], 0.03, 1e-6);  // the box has six digits
+  EXPECT_EQ(row["overlap_pairs"], 0.0);
+  ASSERT_EQ(run("rod_orientation f.dump --summary-csv s.csv"), 0) << error_;
+  EXPECT_NEAR(csv_row(read("s.csv"))["end_to_end_over_contour"], 1.0, 1e-5);
+}
+
+// Fibres carry their numbers into the cells, each triangle is of one segment.
+TEST_F(Programs, VtkFilesOfFibres)
+{
+  ASSERT_EQ(run("rod_vtk fibres.dump --out f"), 0) << error_;
+  const std::string file = read("f_0000000007.vtp");
+  for (const std::string name : {"fibre", "place", "curvature", "length"})
+    EXPECT_NE(file.find("Name=\"" + name + "\""), std::string::npos) << name;
+  ASSERT_EQ(run("rod_vtk fibres.dump --out s --geometry segments"), 0) << error_;
+  EXPECT_NE(read("s_0000000007.vtp"), file);
+  ASSERT_EQ(run("rod_vtk fibres.dump --out l --geometry lines"), 0) << error_;
 }
 
 }  // namespace
