@@ -47,26 +47,36 @@ bool KeptForces::take(int i, const double *end)
   return true;
 }
 
-// Of all ranks by id: rods may have gone to others since they were read.
-std::map<double, KeptForces::Kept> KeptForces::from_all_ranks() const
+// By id. If rods have gone to other ranks since they were read, of all ranks.
+std::map<double, KeptForces::Kept> KeptForces::of_my_rods() const
 {
-  const int mine = static_cast<int>(kept_.size() * sizeof(Kept));
+  std::map<double, Kept> by_id;
+  for (const Kept &kept : kept_) by_id[kept.id] = kept;
+  int lacks_one = 0, any_lacks_one = 0;
+  for (int i = 0; i < lmp_->atom->nlocal; i++) lacks_one |= by_id.count(lmp_->atom->tag[i]) == 0;
+  MPI_Allreduce(&lacks_one, &any_lacks_one, 1, MPI_INT, MPI_MAX, lmp_->world);
+  if (!any_lacks_one) return by_id;
+
   int ranks;
   MPI_Comm_size(lmp_->world, &ranks);
+  const int mine = static_cast<int>(kept_.size());
   std::vector<int> sizes(ranks), starts(ranks, 0);
   MPI_Allgather(&mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, lmp_->world);
   for (int rank = 1; rank < ranks; rank++) starts[rank] = starts[rank - 1] + sizes[rank - 1];
-  std::vector<Kept> all((starts.back() + sizes.back()) / sizeof(Kept));
-  MPI_Allgatherv(kept_.data(), mine, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE,
+  std::vector<Kept> all(starts.back() + sizes.back());
+  MPI_Datatype type;
+  MPI_Type_contiguous(sizeof(Kept), MPI_BYTE, &type);
+  MPI_Type_commit(&type);
+  MPI_Allgatherv(kept_.data(), mine, type, all.data(), sizes.data(), starts.data(), type,
                  lmp_->world);
-  std::map<double, Kept> by_id;
+  MPI_Type_free(&type);
   for (const Kept &kept : all) by_id[kept.id] = kept;
   return by_id;
 }
 
 void KeptForces::look_at_rods()
 {
-  const std::map<double, Kept> all = from_all_ranks();
+  const std::map<double, Kept> all = of_my_rods();
   kept_.clear();
   for (int i = 0; i < lmp_->atom->nlocal; i++) {
     const auto found = all.find(lmp_->atom->tag[i]);
@@ -77,7 +87,7 @@ void KeptForces::look_at_rods()
 
 void KeptForces::use(bool they_hold)
 {
-  const std::map<double, Kept> all = from_all_ranks();
+  const std::map<double, Kept> all = of_my_rods();
   kept_.clear();
   if (!they_hold) return;
   for (int i = 0; i < lmp_->atom->nlocal; i++) {

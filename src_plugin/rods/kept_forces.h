@@ -39,7 +39,7 @@ class KeptForces {
     std::array<double, 6> forces;
     std::array<double, 3> angmom;  // which integrators set from omega when a run begins
   };
-  std::map<double, Kept> from_all_ranks() const;
+  std::map<double, Kept> of_my_rods() const;
   static std::array<double, 13> state_of(const Atom &atom, int rod);
 
   LAMMPS *lmp_;
