@@ -74,15 +74,22 @@ std::map<double, KeptForces::Kept> KeptForces::of_my_rods() const
   return by_id;
 }
 
+// One rod that is another, is new or is gone may act on all.
 void KeptForces::look_at_rods()
 {
   const std::map<double, Kept> all = of_my_rods();
-  kept_.clear();
+  std::vector<Kept> mine;
   for (int i = 0; i < lmp_->atom->nlocal; i++) {
     const auto found = all.find(lmp_->atom->tag[i]);
     if (found != all.end() && found->second.state == state_of(*lmp_->atom, i))
-      kept_.push_back(found->second);
+      mine.push_back(found->second);
   }
+  const bigint counts[3] = {static_cast<bigint>(kept_.size()), lmp_->atom->nlocal,
+                            static_cast<bigint>(mine.size())};
+  bigint totals[3];
+  MPI_Allreduce(counts, totals, 3, MPI_LMP_BIGINT, MPI_SUM, lmp_->world);
+  if (totals[0] != totals[1] || totals[1] != totals[2]) mine.clear();
+  kept_ = mine;
 }
 
 void KeptForces::use(bool they_hold)

@@ -80,7 +80,7 @@ TEST(RoundTrip, RestartFile)
 }
 
 // Files that `restart` writes within a run hold the tangential springs of that step, as those of
-// write_restart do: both go on alike.
+// write_restart do: both go on alike, where a further fix makes both work their forces out anew.
 TEST(RoundTrip, RestartFilesWithinARun)
 {
   Scene scene = falling_rods();
@@ -111,6 +111,7 @@ TEST(RoundTrip, RestartFilesWithinARun)
     for (const char *file : {"rods.a", "rods.after"}) {
       folder.write("in.rest", preamble(scene) + fmt::format("read_restart {}\n", file) +
                                   "neighbor 0.02 bin\n" + scene.physics +
+                                  "fix other all print 1000 'another fix'\n"
                                   "compute contacts all contact/spherocylinder\ntimestep 1e-5\n" +
                                   exact_dump("dump.rest", 20, kFrameColumns) + "run 20\n");
       ASSERT_EQ(folder.run("in.rest", {Program::Lmp, ranks}).exit_code, 0);
