@@ -169,7 +169,7 @@ void GranularPairSpherocylinder::compute_force(PairGran *pair, int eflag, int vf
   work_out(*pair, histories, side_ >= 0 && (migrated || run_begins));
   laws_.end();
   close_pairs_.counts().touching = touching_pairs_.count();
-  sudden_overlaps_.end_step(migrated);
+  sudden_overlaps_.end_step(migrated, shares_);
 }
 
 // `may_be_false`: histories of pairs that do not touch any more.

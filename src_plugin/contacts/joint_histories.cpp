@@ -5,6 +5,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contacts/rod_pair_geometry.h"
 #include "lists/close_rod_pairs.h"
 #include "parallel/ask_ranks.h"
 
@@ -18,6 +19,15 @@ void copy_history(const double *from, bool turn, const HistoryLayout &layout, do
 {
   for (int value = 0; value < layout.values(); value++)
     to[value] = turn && layout.changes_sign(value) ? -from[value] : from[value];
+}
+
+// In the fold of a fibre its two segments are touched on two sides. Only where the axes had passed each other is
+// the other side that of the new contact, too.
+void forget_other_side(const TouchingRodPairs::Touch &touch, double *side)
+{
+  const Vec3 remembered = load(side);
+  if (remembered_depth(remembered) < 1.0 && dot(remembered, touch.points.delta) < 0.0)
+    store(kZero, side);
 }
 
 }  // namespace
@@ -93,6 +103,12 @@ void JointHistories::hand_over(const TouchingRodPairs &touching, const std::vect
     }
   }
   if (comm->nprocs > 1) ask_others(touching, histories, layout, open);
+  if (histories.remember_sides())
+    for (const New &contact : new_) {
+      const CloseRodPairs::Entry &entry = touching.pair(contact.touch);
+      forget_other_side(touching.touch(contact.touch),
+                        histories.values_of(entry.i, entry.index) + histories.side);
+    }
 }
 
 // All sources of the open ones are asked for, by ids; whoever owns the other rod answers, as history of the

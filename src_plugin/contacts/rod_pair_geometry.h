@@ -26,6 +26,12 @@ inline spherocylinder::Vec3 remembered_side(const spherocylinder::Vec3 &normal, 
   return (3.0 - depth) * normal;
 }
 
+// Of such a side; 3 of none.
+inline double remembered_depth(const spherocylinder::Vec3 &side)
+{
+  return 3.0 - spherocylinder::norm(side);
+}
+
 // From such a side, where p - q was then. `reach`: sum of the radii (m).
 inline spherocylinder::Vec3 remembered_delta(const spherocylinder::Vec3 &side, double reach)
 {

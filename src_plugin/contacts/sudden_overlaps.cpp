@@ -7,6 +7,7 @@
 #include "comm.h"
 #include "core/vec3.h"
 #include "host/rod_error.h"
+#include "lists/joint_shares.h"
 #include "parallel/from_all_ranks.h"
 #include "update.h"
 
@@ -36,7 +37,28 @@ void SuddenOverlaps::gather_before()
     before_.push_back({all[k], all[k + 1], 0, 0, 0.0, false});
 }
 
-void SuddenOverlaps::end_step(bool migrated)
+bool SuddenOverlaps::was_there(int id, int other_id) const
+{
+  return std::binary_search(before_.begin(), before_.end(),
+                            Deep{std::min(id, other_id), std::max(id, other_id), 0, 0, 0.0, false});
+}
+
+// Whether a contact goes on from one with the next segment of either rod's fibre, or may do so where another
+// rank only has that one.
+bool SuddenOverlaps::goes_on(const Deep &deep, const JointShares &shares) const
+{
+  const std::array<int, 3> i_or_next = shares.with_neighbours(deep.i),
+                           j_or_next = shares.with_neighbours(deep.j);
+  for (const int i : i_or_next)
+    for (const int j : j_or_next) {
+      if (i < 0 || j < 0 || (i == deep.i && j == deep.j)) continue;
+      if (was_there(atom->tag[i], atom->tag[j]) || (i >= atom->nlocal && j >= atom->nlocal))
+        return true;
+    }
+  return false;
+}
+
+void SuddenOverlaps::end_step(bool migrated, const JointShares *shares)
 {
   if (allowed_) return;
   if (migrated && comm->nprocs > 1 && !is_first_) gather_before();
@@ -46,7 +68,8 @@ void SuddenOverlaps::end_step(bool migrated)
       if (deep.overlap <= kSudden || !deep.movable) continue;
       if (!sorted) std::sort(before_.begin(), before_.end());
       sorted = true;
-      if (!std::binary_search(before_.begin(), before_.end(), deep)) end_run(deep);
+      if (was_there(deep.id, deep.other_id) || (shares && goes_on(deep, *shares))) continue;
+      end_run(deep);
     }
   }
   is_first_ = false;

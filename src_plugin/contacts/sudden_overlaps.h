@@ -8,6 +8,8 @@
 
 namespace LAMMPS_NS {
 
+class JointShares;
+
 // Ends the run where two rods overlap far that did not a step ago: some command or fix has put them
 // there. Knows the deep overlaps of the step before by the rods' ids, on whatever rank they were.
 class SuddenOverlaps : protected Pointers {
@@ -47,8 +49,8 @@ class SuddenOverlaps : protected Pointers {
   void take(Seen &seen);
 
   // Once a step, after its contacts. The very first step of all has none before it. `migrated`: rods
-  // may have come from another rank.
-  void end_step(bool migrated);
+  // may have come from another rank. `shares`: null in a deck without fibres.
+  void end_step(bool migrated, const JointShares *shares);
 
   // After rods have been given other ids; `new_id(old)` is 0 for a rod that is gone.
   template <typename NewId>
@@ -78,6 +80,8 @@ class SuddenOverlaps : protected Pointers {
   std::vector<Deep> now_, before_;
 
   void gather_before();
+  bool was_there(int id, int other_id) const;
+  bool goes_on(const Deep &deep, const JointShares &shares) const;
   [[noreturn]] void end_run(const Deep &found) const;
 };
 

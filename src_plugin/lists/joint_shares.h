@@ -21,6 +21,10 @@ class JointShares : protected Pointers {
 
   // The rod joined at an end, -1 without.
   int neighbour(int i, bool head) const { return neighbours_[i][head]; }
+  std::array<int, 3> with_neighbours(int i) const
+  {
+    return {i, neighbours_[i][0], neighbours_[i][1]};
+  }
 
   // Of a rod's contact.
   struct Share {
