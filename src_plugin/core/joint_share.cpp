@@ -142,10 +142,13 @@ Vec3 advance_on_line(const Vec3 &line, const Segment &other, const LinePatch &pa
 }
 
 double reach_beyond_joint(const LinePatch &own, const LinePatch &next, double longest,
-                          double within)
+                          double within, double bend_sine, double overlap)
 {
+  constexpr double kMostBeside = 1.0 / 16.0;
   const double half = mean_of(own, next).half;
-  return std::min(within, half) * std::clamp(2.0 - 2.0 * half / longest, 0.0, 1.0);
+  const double reach = std::min(within, half) * std::clamp(2.0 - 2.0 * half / longest, 0.0, 1.0);
+  const double most_beside = kMostBeside * std::max(0.0, overlap);
+  return bend_sine * reach > most_beside ? most_beside / bend_sine : reach;
 }
 
 }  // namespace spherocylinder

@@ -66,9 +66,11 @@ Vec3 advance_on_line(const Vec3 &line, const Segment &other, const LinePatch &pa
 bool is_all_before_joint(const LinePatch &own, double longest);
 
 // How far beyond its end the first rod's contact may be, where `within` of the second is nearest: so far as the
-// patch reaches, that on a straight fibre both rods are touched at the same point. Nothing for long patches.
+// patch reaches, that on a straight fibre both rods are touched at the same point. Nothing for long patches. Of a
+// bent joint no farther than where the line has left the second's axis by a sixteenth of the overlap at the end:
+// beside that axis the fibre is not.
 double reach_beyond_joint(const LinePatch &own, const LinePatch &next, double longest,
-                          double within);
+                          double within, double bend_sine, double overlap);
 
 // With one end so much farther out, the head if `beyond` is positive, the tail if negative.
 inline Segment extended(const Segment &rod, double beyond)

@@ -21,6 +21,11 @@ const FibreSegments &segments_of(const Atom &atom)
   return static_cast<AtomVecSpherocylinder &>(*atom.avec).attached<FibreSegments>();
 }
 
+double distance(const Segment &a, const Segment &b)
+{
+  return std::sqrt(closest_points(a, b).distance_squared);
+}
+
 }  // namespace
 
 bool JointShares::bring_up_to_date()
@@ -77,11 +82,14 @@ void JointShares::share_at_end(Share &share, int i, bool head, const Capsule &ro
   const double within = half - (head ? s : -s);
   const double within_next = next.half_length + (head ? nearest.s : -nearest.s);
   double beyond_next = 0.0;
+  const double sine = norm(cross(rod.segment.axis, next.axis));
   if (!(within > 0.0)) {
-    const double beyond = reach_beyond_joint(own, of_next, longest, within_next);
+    const double beyond = reach_beyond_joint(own, of_next, longest, within_next, sine,
+                                             reach - distance(rod.segment, other));
     if (beyond > 0.0) share.beyond = head ? beyond : -beyond;
   } else if (!(within_next > 0.0)) {
-    beyond_next = reach_beyond_joint(of_next, own, longest, within);
+    beyond_next = reach_beyond_joint(of_next, own, longest, within, sine,
+                                     reach - std::sqrt(nearest.distance_squared));
   }
   const ShareSlope slope = slope_of_share(own, of_next, longest);
   if (slope.fall == 0.0) return;
