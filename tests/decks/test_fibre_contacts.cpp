@@ -296,6 +296,36 @@ TEST(FibreJointContacts, InsideOfABentJoint)
   }
 }
 
+// Along one segment until the other one is touched, beyond 90 degrees from the opposite side: that contact does not go
+// on with the side of the first, from which the axes would have passed each other. Slow method as above.
+TEST(FibreJointContacts, InsideOfASharpJoint)
+{
+  RideOptions smooth;
+  smooth.material = linear_material(kStiffness, kStiffness, 1.0, 0.0);
+  for (const double bend : {60.0, 110.0, 130.0}) {
+    const double angle = degrees(bend);
+    const Vec3 up = {0.0, 0.0, 1.0}, back = {-std::sin(angle), 0.0, std::cos(angle)};
+    Rod rod = slider(kLong, 0.5 * pi, kReach * Vec3{-std::tan(0.5 * angle), 0.0, 1.0});
+    rod.position.x -= 2e-5;
+    rod.velocity = {kSpeed, 0.0, 0.0};
+    const Ride ridden = ride(bent(-angle), rod, "run 30\n", 1, smooth);
+    ASSERT_EQ(ridden.force.size(), 31u);
+    double error = 0.0, both = 0.0;
+    for (size_t k = 0; k < ridden.force.size(); k++) {
+      const Vec3 place = rod.position + (1e-5 * static_cast<double>(k)) * rod.velocity;
+      const double first = std::max(0.0, 2.0 * kRadius - dot(place, up));
+      const double second = std::max(0.0, 2.0 * kRadius - dot(place, back));
+      both = std::max(both, std::min(first, second));
+      error = std::max(error, norm(ridden.force[k] - kStiffness * (first * up + second * back)));
+    }
+    EXPECT_GT(both, 0.5 * kOverlap);
+    expect_holds(
+        {fmt::format("Into the inside of a joint bent by {:g} degrees: force, relative", bend),
+         "both segments for themselves", 1e-6},
+        error / (kStiffness * kOverlap));
+  }
+}
+
 // Of a gentle bend the two contacts go over into one: in places a twentieth of their patch apart.
 TEST(FibreJointContacts, InsideOfAGentleBend)
 {
