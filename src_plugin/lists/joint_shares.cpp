@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "atom.h"
 #include "core/closest_points.h"
@@ -24,6 +25,19 @@ const FibreSegments &segments_of(const Atom &atom)
 double distance(const Segment &a, const Segment &b)
 {
   return std::sqrt(closest_points(a, b).distance_squared);
+}
+
+// Of one axis, from its point at s, all that may lie nearer than `reach` to the line of the other, nearest at t (m): a
+// patch is a part of it. Without bound where an end is nearest, or along parallel axes.
+double half_chord(const Segment &rod, double s, const Segment &other, double t, double reach)
+{
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr double kRounding = 1.0 + 1e-6;
+  if (!(std::fabs(s) < rod.half_length && std::fabs(t) < other.half_length)) return kInfinite;
+  const double cosine = dot(rod.axis, other.axis), squared_sine = 1.0 - cosine * cosine;
+  const double squared = reach * reach - norm_squared(rod.at(s) - other.at(t));
+  if (!(squared_sine > 1e-6)) return kInfinite;
+  return kRounding * std::sqrt(std::max(0.0, squared) / squared_sine);
 }
 
 }  // namespace
@@ -109,15 +123,17 @@ void JointShares::share_at_end(Share &share, int i, bool head, const Capsule &ro
                (0.5 * before * slope.fall * squares) * advance_on_line(outward, other, own, at_end);
 }
 
-JointShares::Share JointShares::of_one(int i, int j, const std::vector<Capsule> &rods,
-                                       double s) const
+JointShares::Share JointShares::of_one(int i, int j, const std::vector<Capsule> &rods, double s,
+                                       double t) const
 {
   const FibreSegments &segments = segments_of(*atom);
   const double reach = rods[i].radius + rods[j].radius;
   const Segment &other = rods[j].segment;
   Share share;
+  const double half = half_chord(rods[i].segment, s, other, t, reach);
   for (const bool head : {false, true})
     if (is_near_joint(i, rods[i], s, head, other.half_length) &&
+        half >= rods[i].segment.half_length - (head ? s : -s) &&
         !segments.never_touch(neighbours_[i][head], j))
       share_at_end(share, i, head, rods[i], s, other, reach);
   return share;

@@ -35,8 +35,9 @@ class JointShares : protected Pointers {
     // its neighbour's falls, their energies differ if the joint is stretched.
     spherocylinder::Vec3 push = spherocylinder::kZero;
   };
-  // Of rod i in the contact with rod j at s on the axis of i. That of the pair is the product of both rods'.
-  Share of_one(int i, int j, const std::vector<spherocylinder::Capsule> &rods, double s) const;
+  // Of rod i in the contact with rod j at s on the axis of i and t on that of j. That of the pair is the product of both rods'.
+  Share of_one(int i, int j, const std::vector<spherocylinder::Capsule> &rods, double s,
+               double t) const;
   // Of rod i with anything else, of which `other` is the axis at hand, where both overlap at less than
   // `reach`; at s. Of neighbours in the groups of `groupbit`.
   Share of_rod(int i, const spherocylinder::Capsule &rod, double s,

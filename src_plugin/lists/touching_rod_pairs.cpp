@@ -115,8 +115,8 @@ void TouchingRodPairs::share(Piece &piece, Searcher &searcher, const std::vector
   int n = piece.first;
   for (int from = piece.first; from < piece.first + piece.count; from++) {
     const CloseRodPairs::Entry &entry = pair(from);
-    const JointShares::Share of_i = shares_->of_one(entry.i, entry.j, rods, s_[from]);
-    const JointShares::Share of_j = shares_->of_one(entry.j, entry.i, rods, t_[from]);
+    const JointShares::Share of_i = shares_->of_one(entry.i, entry.j, rods, s_[from], t_[from]);
+    const JointShares::Share of_j = shares_->of_one(entry.j, entry.i, rods, t_[from], s_[from]);
     const double share = of_i.share * of_j.share;
     if (!(share > 0.0)) {
       if (contact_flags && contact_flags[entry.i][entry.index]) searcher.parted.push_back(entry);
