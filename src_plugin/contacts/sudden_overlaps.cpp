@@ -62,7 +62,7 @@ void SuddenOverlaps::end_step(bool migrated, const JointShares *shares)
 {
   if (allowed_) return;
   if (migrated && comm->nprocs > 1 && !is_first_) gather_before();
-  if (!is_first_) {
+  if (!is_first_ && !(shares && shares->have_changed())) {
     bool sorted = false;
     for (const Deep &deep : now_) {
       if (deep.overlap <= kSudden || !deep.movable) continue;

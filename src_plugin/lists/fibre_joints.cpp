@@ -69,13 +69,13 @@ int FibreJoints::partner_of(int i, bool head, const char *who) const
 {
   const int partner = partner_at_hand(i, head);
   if (partner < 0)
-    rod_error_one(lmp,
-                  "%s: at step " BIGINT_FORMAT
-                  " the rod that rod %d, place %d of fibre %d, is joined "
-                  "to at its %s is not at hand; it is lost, or farther away than ghosts reach "
-                  "(without a pair style: communicate single cutoff R)",
-                  who, update->ntimestep, atom->tag[i], segments_.place(i), segments_.fibre(i),
-                  head ? "head" : "tail");
+    rod_error_one(
+        lmp,
+        "%s: at step " BIGINT_FORMAT " the rod that rod %d, place %d of fibre %d, is joined "
+        "to at its %s is not at hand; it is lost, as with too long a time step, or farther away than ghosts reach "
+        "(without a pair style: communicate single cutoff R)",
+        who, update->ntimestep, atom->tag[i], segments_.place(i), segments_.fibre(i),
+        head ? "head" : "tail");
   return partner;
 }
 

@@ -48,6 +48,7 @@ bool JointShares::bring_up_to_date()
   if (!segments.rows) return false;
   const Seen now = {neighbor->ncalls, neighbor->lastcall, atom->nlocal, atom->nghost,
                     segments.changes};
+  if (segments.changes != seen_.changes) changed_step_ = update->ntimestep;
   // A command may have changed rods before a run.
   const Update &step = *update;
   const bool run_begins = step.setupflag || step.ntimestep <= step.firststep + 1;

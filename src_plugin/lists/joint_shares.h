@@ -6,6 +6,7 @@
 
 #include "core/joint_share.h"
 #include "lists/fibre_joints.h"
+#include "update.h"
 
 namespace LAMMPS_NS {
 
@@ -18,6 +19,13 @@ class JointShares : protected Pointers {
   // Once a step, before the others: finds neighbours anew if rods may have other places. False in a
   // deck without fibres, on all ranks.
   bool bring_up_to_date();
+
+  // Whether rods have been joined or parted since the step before: contacts at such a joint are others at once. Walls
+  // see it in the step in which it is done, pairs in the next.
+  bool have_changed() const
+  {
+    return changed_step_ >= 0 && update->ntimestep - changed_step_ <= 1;
+  }
 
   // The rod joined at an end, -1 without.
   int neighbour(int i, bool head) const { return neighbours_[i][head]; }
@@ -57,6 +65,7 @@ class JointShares : protected Pointers {
     int rods = -1, ghosts = -1, changes = -1;
   };
   Seen seen_;
+  bigint changed_step_ = -1;
 
   void share_at_end(Share &share, int i, bool head, const spherocylinder::Capsule &rod, double s,
                     const spherocylinder::Segment &other, double reach) const;

@@ -127,7 +127,7 @@ double FibreChains::gap(int rod, bool head, int other, bool other_head) const
   return norm(from_to(end_of(rod, head), end_of(other, other_head)));
 }
 
-// One rod a place, from 1 without a gap. Sorted by fibre and place.
+// One rod a place, from 1 without a gap but where it is said which ends are joined. Sorted by fibre and place.
 void FibreChains::check_places() const
 {
   int fibre = 0, wanted = 1;
@@ -139,7 +139,7 @@ void FibreChains::check_places() const
                     "%s: rods %d and %d both have place %d of fibre %d, a joint would be named "
                     "twice; wanted one rod a place",
                     who_.c_str(), before->id, rod.id, rod.place, rod.fibre);
-    if (rod.place != wanted)
+    if (rod.ends < 0 && rod.place != wanted)
       rod_error_all(lmp,
                     "%s: fibre %d has no rod at place %d, the next is rod %d at place %d; wanted "
                     "places from 1 without a gap",
@@ -148,6 +148,38 @@ void FibreChains::check_places() const
     wanted = rod.place + 1;
     before = &rod;
   }
+}
+
+// A joint has two ends: the head of a segment and the tail of the next, in a ring that of the first.
+void FibreChains::check_ends(int first, int last) const
+{
+  const auto after = [&](int k) {
+    if (k + 1 < last) return rods_[k + 1].place == rods_[k].place + 1 ? k + 1 : -1;
+    return rods_[first].place == 1 ? first : -1;
+  };
+  std::vector<char> is_met(last - first, 0);
+  for (int k = first; k < last; k++) {
+    const int next = after(k);
+    const bool head = rods_[k].ends & S::kHeadJoined;
+    const bool tail = next >= 0 && (rods_[next].ends & S::kTailJoined);
+    if (next >= 0) is_met[next - first] = 1;
+    if (head != tail)
+      rod_error_all(
+          lmp,
+          "%s: the head of rod %d, place %d of fibre %d, is %s and the tail of the next is %s; "
+          "wanted both or neither",
+          who_.c_str(), rods_[k].id, rods_[k].place, rods_[k].fibre, head ? "joined" : "free",
+          tail       ? "joined"
+          : next < 0 ? "not there"
+                     : "free");
+  }
+  for (int k = first; k < last; k++)
+    if (!is_met[k - first] && (rods_[k].ends & S::kTailJoined))
+      rod_error_all(
+          lmp,
+          "%s: the tail of rod %d, place %d of fibre %d, is joined and there is no segment "
+          "before it",
+          who_.c_str(), rods_[k].id, rods_[k].place, rods_[k].fibre);
 }
 
 void FibreChains::check_can_join(int k, int next) const
@@ -210,6 +242,8 @@ int FibreChains::join_places(double tolerance)
     while (last < static_cast<int>(rods_.size()) && rods_[last].fibre == rods_[first].fibre) last++;
     if (rods_[first].ends < 0)
       joints += join(chain_by_places(first, last, tolerance), rods_[first].fibre);
+    else
+      check_ends(first, last);
     first = last;
   }
   return joints;

@@ -74,6 +74,7 @@ class FibreChains : protected Pointers {
   spherocylinder::Vec3 end_of(int rod, bool head) const;
   double gap(int rod, bool head, int other, bool other_head) const;
   void check_places() const;
+  void check_ends(int first, int last) const;
   void check_can_join(int k, int next) const;
   Chain chain_by_places(int first, int last, double tolerance);
   int join(const Chain &chain, int fibre);

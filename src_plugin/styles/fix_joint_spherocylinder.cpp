@@ -330,9 +330,26 @@ void FixJointSpherocylinder::find_frequencies()
   }
 }
 
+void FixJointSpherocylinder::check_rest() const
+{
+  for (size_t k = 0; k < constants_.size(); k++) {
+    const JointRest &rest = constants_[k].rest;
+    const double bend = std::hypot(rest.bend_x, rest.bend_y), twist = std::fabs(rest.twist);
+    if (bend < kLargestJointAngle && twist < kLargestJointAngle) continue;
+    const FibreJoints::Joint &joint = joints_.joints()[k];
+    rod_error_one(
+        lmp,
+        "%s: without load the joint of rods %d and %d is bent by %g and twisted by %g degrees; "
+        "wanted less than 179 of either",
+        name().c_str(), atom->tag[joint.first], atom->tag[joint.second], bend * degrees,
+        rest.twist * degrees);
+  }
+}
+
 void FixJointSpherocylinder::setup(int vflag)
 {
   renew();
+  check_rest();
   const int mine = !partings_.empty();
   int any = 0;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);

@@ -110,6 +110,7 @@ class FixJointSpherocylinder : public Fix, public GhostUser {
   spherocylinder::JointedMass jointed_mass(int i) const;
   void check_same_diameter(int i, int j) const;
   void renew();
+  void check_rest() const;
   void find_frequencies();
   void compute_load(int k);
   void compute_loads();

@@ -100,6 +100,62 @@ TEST_P(FibreInput, EndsWithOneSentence)
   }
 }
 
+// Of a fibre without its middle two parts are left, whose places have a gap.
+TEST(FibreDeck, WhatIsLeftOfAFibreIsReadAgain)
+{
+  const DeckFolder folder;
+  folder.write("rods.data", kData);
+  folder.write("in.cut", std::string(kDeck) +
+                             "group middle id 2\ndelete_atoms group middle\nrun 1\n"
+                             "write_data left.data\n");
+  ASSERT_EQ(folder.run("in.cut").exit_code, 0);
+  folder.write("in.fibre", edited(kDeck, "read_data rods.data", "read_data left.data"));
+  const Outcome outcome = folder.run("in.fibre");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
+// As write_data has them, but one: which ends are joined, the orientation, the joint without load.
+TEST(FibreDeck, JointsHaveTwoEnds)
+{
+  const char *const turn = " 0.70710678118654757 0 0.70710678118654757 0 0 0 0\n";
+  const struct {
+    const char *ends[3], *says;  // nothing: they are right
+  } cases[] = {
+      {{"74", "79", "69"}, ""},
+      {{"74", "78", "69"},
+       "the head of rod 1, place 1 of fibre 1, is joined and the tail of the next is free"},
+      {{"72", "79", "69"},
+       "the head of rod 1, place 1 of fibre 1, is free and the tail of the next is joined"},
+      {{"74", "79", "71"},
+       "the head of rod 3, place 3 of fibre 1, is joined and the tail of the next is free"},
+      {{"75", "79", "69"},
+       "the head of rod 3, place 3 of fibre 1, is free and the tail of the next is joined"},
+  };
+  for (const auto &tried : cases) {
+    const std::string section = std::string("1 1 1 ") + tried.ends[0] + turn + "2 1 2 " +
+                                tried.ends[1] + turn + "3 1 3 " + tried.ends[2] + turn;
+    const DeckFolder folder;
+    folder.write("rods.data", edited(kData, "1 1 1\n2 1 2\n3 1 3\n", section.c_str()));
+    folder.write("in.fibre", kDeck);
+    const Outcome outcome = folder.run("in.fibre");
+    EXPECT_EQ(outcome.exit_code == 0, !*tried.says) << outcome.output;
+    EXPECT_NE(outcome.output.find(tried.says), std::string::npos) << outcome.output;
+  }
+}
+
+TEST(FibreDeck, JointsAreNotTurnedRoundWithoutLoad)
+{
+  for (const char *rest : {"rest_curvature 1e4", "rest_twist -200"}) {
+    const DeckFolder folder;
+    folder.write("rods.data", kData);
+    folder.write("in.fibre", edited(kDeck, "damping 0.1", rest));
+    const Outcome outcome = folder.run("in.fibre");
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_NE(outcome.output.find("degrees; wanted less than 179 of either"), std::string::npos)
+        << outcome.output;
+  }
+}
+
 // Of the keyword join: what meets is joined, but not three ends at a point, nor two rods at both ends.
 TEST(FibreJoin, EndsWithOneSentence)
 {
