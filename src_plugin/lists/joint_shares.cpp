@@ -44,7 +44,8 @@ double half_chord(const Segment &rod, double s, const Segment &other, double t, 
 
 bool JointShares::bring_up_to_date()
 {
-  const FibreSegments &segments = segments_of(*atom);
+  segments_ = &segments_of(*atom);
+  const FibreSegments &segments = *segments_;
   if (!segments.rows) return false;
   const Seen now = {neighbor->ncalls, neighbor->lastcall, atom->nlocal, atom->nghost,
                     segments.changes};
@@ -127,7 +128,6 @@ void JointShares::share_at_end(Share &share, int i, bool head, const Capsule &ro
 JointShares::Share JointShares::of_one(int i, int j, const std::vector<Capsule> &rods, double s,
                                        double t) const
 {
-  const FibreSegments &segments = segments_of(*atom);
   const double reach = rods[i].radius + rods[j].radius;
   const Segment &other = rods[j].segment;
   Share share;
@@ -135,7 +135,7 @@ JointShares::Share JointShares::of_one(int i, int j, const std::vector<Capsule> 
   for (const bool head : {false, true})
     if (is_near_joint(i, rods[i], s, head, other.half_length) &&
         half >= rods[i].segment.half_length - (head ? s : -s) &&
-        !segments.never_touch(neighbours_[i][head], j))
+        !segments_->never_touch(neighbours_[i][head], j))
       share_at_end(share, i, head, rods[i], s, other, reach);
   return share;
 }

@@ -59,6 +59,7 @@ class JointShares : protected Pointers {
 
  private:
   FibreJoints joints_;
+  const FibreSegments *segments_ = nullptr;  // of the rods
   std::vector<std::array<int, 2>> neighbours_;  // of rods and ghosts: at the tail, at the head
   struct Seen {
     bigint builds = -1, last_build = -1;
