@@ -83,7 +83,7 @@ def run_once(given: argparse.Namespace, folder: Path, rods: int, ranks: int, thr
         command += ["-var", name, str(value)]
     environment = dict(os.environ, OMP_NUM_THREADS=str(threads), OMPI_ALLOW_RUN_AS_ROOT="1",
                        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    done = subprocess.run(command, cwd=folder, env=environment, text=True, capture_output=True)
+    done = subprocess.run(command, cwd=folder, env=environment, text=True, errors="replace", capture_output=True)
     log = folder / "log.scaling"
     text = log.read_text(errors="replace") if log.exists() else ""
     found = re.search(r"^Loop time of (\S+)", text, re.MULTILINE)
