@@ -6,8 +6,10 @@
 #include <random>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "core/numbers.h"
+#include "run_mode.h"
 
 namespace decks {
 
@@ -183,3 +185,31 @@ double difference_in_period(const Scene &scene, const std::vector<Frame> &a,
 }
 
 }  // namespace decks
+
+const char *const decks::kStateColumns =
+    "id x y z vx vy vz quat1 quat2 quat3 quat4 omegax omegay omegaz";
+
+decks::Snapshot decks::expect_same_bits_from_half(const DeckFolder &folder, const Scene &scene,
+                                                  const std::string &columns,
+                                                  const std::string &thermo)
+{
+  folder.write("rods.data", data_file(scene));
+  const std::string settings = "neighbor 0.002 bin\nneigh_modify delay 0\n" + scene.physics +
+                               fmt::format("timestep {}\nthermo 500\n", scene.dt) + thermo;
+  const std::string start = preamble(scene, Mode::TwoRanks);
+  folder.write("in.first", start + "read_data rods.data\n" + settings +
+                               "run 500\nwrite_restart half\n" +
+                               exact_dump("dump.on", 500, columns) + "run 500\n");
+  folder.write("in.second", start + "read_restart half\n" + settings +
+                                exact_dump("dump.again", 500, columns) + "run 500\n");
+  for (const char *deck : {"in.first", "in.second"}) {
+    const Outcome outcome = folder.run(deck, {Program::Lmp, 2});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    if (outcome.exit_code != 0) return {};
+  }
+  const auto on = read_dump(folder / "dump.on"), again = read_dump(folder / "dump.again");
+  EXPECT_EQ(on.back().step, 1000);
+  EXPECT_EQ(again.back().step, 1000);
+  EXPECT_EQ(on.back().atoms.rows, again.back().atoms.rows);
+  return on.back();
+}

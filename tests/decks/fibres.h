@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "deck_run.h"
 #include "scene.h"
 
 namespace decks {
@@ -46,6 +47,13 @@ std::string drag_of(const Fibre &fibre, double length, double slower = 1.0);
 long steps_to_rest(const Fibre &fibre, double length, double slower = 1.0);
 
 Scene fibre_scene(const Fibre &fibre);
+
+// On two ranks: 500 steps, a restart file `half` in `folder`, 500 more; from the file these come to the same bits, in
+// the last frame of `columns`, which is returned. `thermo`: commands of output.
+Snapshot expect_same_bits_from_half(const DeckFolder &folder, const Scene &scene,
+                                    const std::string &columns, const std::string &thermo = "");
+// What rods and fibres are after a step.
+extern const char *const kStateColumns;
 
 spherocylinder::MassProperties properties_of(const Rod &rod, int shared_ends);
 

@@ -397,29 +397,11 @@ TEST(FibreBreaking, RestartGoesOnWithTheSameBits)
 {
   const Scene scene = breaking_tangle();
   const DeckFolder folder;
-  folder.write("rods.data", data_file(scene));
-  const std::string settings =
-      "neighbor 0.002 bin\nneigh_modify delay 0\n" + scene.physics +
-      fmt::format("timestep {}\nthermo 500\nthermo_style custom step f_joints[6] f_joints[7] "
-                  "f_joints[8]\nthermo_modify format float %.17g\n",
-                  scene.dt);
-  const std::string columns =
-      "id x y z vx vy vz quat1 quat2 quat3 quat4 omegax omegay omegaz f_fibres[3] f_fibres[4] "
-      "f_fibres[5] f_fibres[6] f_fibres[7] f_fibres[8]";
-  const std::string start = preamble(scene, Mode::TwoRanks);
-  folder.write("in.first", start + "read_data rods.data\n" + settings +
-                               "run 500\nwrite_restart half\n" +
-                               exact_dump("dump.on", 500, columns) + "run 500\n");
-  folder.write("in.second", start + "read_restart half\n" + settings +
-                                exact_dump("dump.again", 500, columns) + "run 500\n");
-  for (const char *deck : {"in.first", "in.second"}) {
-    const Outcome outcome = folder.run(deck, {Program::Lmp, 2});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  }
-  const auto on = read_dump(folder / "dump.on"), again = read_dump(folder / "dump.again");
-  ASSERT_EQ(on.back().step, 1000);
-  ASSERT_EQ(again.back().step, 1000);
-  EXPECT_EQ(on.back().atoms.rows, again.back().atoms.rows);
+  expect_same_bits_from_half(
+      folder, scene,
+      std::string(kStateColumns) +
+          " f_fibres[3] f_fibres[4] f_fibres[5] f_fibres[6] f_fibres[7] f_fibres[8]",
+      "thermo_style custom step f_joints[6] f_joints[7] f_joints[8]\nthermo_modify format float %.17g\n");
 }
 
 // Closed form: two joints bent by 20 degrees each, the second pulled by u along its mean axis.
